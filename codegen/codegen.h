@@ -1,0 +1,74 @@
+// From the one shader source to every language.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lacquer::codegen {
+
+enum class Target { spirv, glsl450, essl310, essl300, hlsl50, hlsl60, msl, wgsl };
+
+// `kernel`: entry points over the bindings of shader_src/kernels. `library`: functions and structs
+// only, nothing bound, to be pasted into an engine.
+enum class Form { kernel, library };
+
+std::string_view target_name(Target target);  // as on the command line and in paths
+std::string_view form_name(Form form);
+std::span<const Target> all_targets();
+
+struct Binding {
+    std::string name;
+    unsigned set = 0, binding = 0;
+    std::string kind;  // "uniform", "storage_read", "storage_read_write", "texture", "sampler"
+};
+
+struct EntryPoint {
+    std::string name;   // as it stands in the file
+    std::string stage;  // "compute", "vertex", "fragment"
+    unsigned workgroup_size[3] = {0, 0, 0};
+};
+
+struct Function {
+    std::string name;
+    std::string signature;  // in the file's own language, one line
+    std::string summary;    // first sentence of its documentation
+};
+
+// One generated file.
+struct ShaderFile {
+    std::filesystem::path path;  // relative: TARGET/FORM/LEVEL_KERNEL.EXT or TARGET/FORM/LEVEL.EXT
+    Target target;
+    Form form;
+    std::string level;   // "plain"
+    std::string kernel;  // "eval", ..., or "sphere_view" for graphics; empty in library form
+    std::string contents;  // text, or the words of SPIR-V as bytes
+    std::vector<EntryPoint> entry_points;
+    std::vector<Function> functions;
+    std::vector<Binding> bindings;
+    std::size_t instruction_count = 0;  // of the SPIR-V it was translated from
+    std::string sha256;
+};
+
+struct Request {
+    std::filesystem::path source_root;  // shader_src
+    std::vector<Target> targets;        // empty: all
+    std::vector<Form> forms;            // empty: both
+    std::vector<std::string> levels;    // empty: all
+    std::function<void(std::size_t done, std::size_t total)> progress;
+};
+
+// Generates everything asked for; the same request gives the same bytes. WGSL needs Node.js: throws
+// lacquer::Error saying so where it is missing and WGSL was asked for. Throws with the compiler's
+// message, file and line where a source does not compile.
+std::vector<ShaderFile> generate(const Request& request);
+
+// Writes the files and `manifest.json` below `folder`; a file appears whole or not at all. Throws
+// Error where the folder cannot be written.
+void write(std::span<const ShaderFile> files, const std::filesystem::path& folder);
+
+}  // namespace lacquer::codegen

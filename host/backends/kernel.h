@@ -1,0 +1,47 @@
+// The compute kernels of shader_src/kernels as the host sees them: which rows they read and write.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace lacquer {
+
+enum class Kernel {
+    eval,    // wi, wo -> (f, pdf)
+    slice,   // wi, with parameters.wo -> (f, pdf)
+    sphere,  // wi, wo, with parameters.radiance -> (radiance, 1)
+    sample,  // wo, u -> (wi, pdf), (weight, 0)
+    albedo,  // wo, with parameters.point_count -> (direct, 0), (base, 0)
+    copy,    // two rows -> one; moves the bytes of eval and computes nothing
+};
+
+struct KernelShape {
+    std::string_view name;
+    std::uint32_t input_rows;   // per query, of four floats
+    std::uint32_t result_rows;  // per query, of four floats
+};
+
+constexpr KernelShape kernel_shape(Kernel kernel) {
+    switch (kernel) {
+        case Kernel::eval: return {"eval", 2, 1};
+        case Kernel::slice: return {"slice", 1, 1};
+        case Kernel::sphere: return {"sphere", 2, 1};
+        case Kernel::sample: return {"sample", 2, 2};
+        case Kernel::albedo: return {"albedo", 1, 2};
+        case Kernel::copy: return {"copy", 2, 1};
+    }
+    return {"", 0, 0};
+}
+
+// LqKernelParameters of shader_src/kernels/bindings.glsl, byte for byte (std140).
+struct KernelParameters {
+    std::uint32_t query_count = 0;
+    std::uint32_t queries_per_surface = 1;
+    std::uint32_t point_count = 256;
+    std::uint32_t reserved = 0;
+    float wo[4] = {0, 0, 1, 0};
+    float radiance[4] = {1, 1, 1, 0};
+};
+static_assert(sizeof(KernelParameters) == 48);
+
+}  // namespace lacquer

@@ -1,0 +1,22 @@
+// How failures travel: thrown where they happen, reported once by the command line.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace lacquer {
+
+// Something asked for cannot be done. The message names the file, the place, the value and the
+// allowed range, as far as they apply. Ends a command with exit code 1.
+class Error : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+// The command line itself is wrong. Ends a command with exit code 2.
+class UsageError : public Error {
+ public:
+    using Error::Error;
+};
+
+}  // namespace lacquer

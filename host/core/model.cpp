@@ -1,0 +1,52 @@
+#include "core/model.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "core/error.h"
+
+namespace lacquer {
+
+namespace {
+
+struct ModelEntry {
+    Model model;
+    std::string_view name;
+    std::string_view level;
+};
+
+constexpr std::array kEntries{ModelEntry{Model::plain, "plain", "plain"}};
+constexpr std::array kModels{Model::plain};
+static_assert(kEntries.size() == kModels.size());
+
+const ModelEntry& entry_of(Model model) {
+    return kEntries[static_cast<std::size_t>(model)];
+}
+
+}  // namespace
+
+std::string_view model_name(Model model) {
+    return entry_of(model).name;
+}
+
+std::string_view model_level(Model model) {
+    return entry_of(model).level;
+}
+
+Model model_from_name(std::string_view name) {
+    std::string known;
+    for (const ModelEntry& entry : kEntries) {
+        if (entry.name == name) return entry.model;
+        known += known.empty() ? "" : ", ";
+        known += entry.name;
+    }
+    throw UsageError{fmt::format("model '{}' is not one of: {}", name, known)};
+}
+
+std::span<const Model> all_models() {
+    return kModels;
+}
+
+}  // namespace lacquer

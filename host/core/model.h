@@ -1,0 +1,24 @@
+// The models of the library that can be asked for by name.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace lacquer {
+
+enum class Model {
+    plain,  // single reflections of the top interface plus the base as if bare
+};
+
+// The name on the command line, in JSON and in file names of shader variants.
+std::string_view model_name(Model model);
+
+// The level of the shader source that implements it: the prefix of its public functions, lq_LEVEL_*.
+std::string_view model_level(Model model);
+
+// Throws UsageError listing the models there are.
+Model model_from_name(std::string_view name);
+
+std::span<const Model> all_models();
+
+}  // namespace lacquer

@@ -1,0 +1,16 @@
+// The hemisphere of light directions seen from one viewer, parameters.wo.
+// Inputs: wi per query. Results: (f, pdf).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "model.glsl"
+
+void main() {
+    const uint query = gl_GlobalInvocationID.x;
+    if (query >= parameters.query_count) {
+        return;
+    }
+    const LqModelSurface surface = lq_model_surface(query);
+    const vec3 wi = lq_input_vector(query);
+    const vec3 wo = vec3(parameters.wo.x, parameters.wo.y, parameters.wo.z);
+    results.rows[query] = vec4(lq_model_eval(surface, wi, wo), lq_model_pdf(surface, wi, wo));
+}

@@ -1,0 +1,20 @@
+// Lacquer: BSDFs of coated and layered surfaces. This file includes every part of the library; each
+// level below also stands alone.
+//
+// Conventions, everywhere: a local frame with z = the macroscopic normal; `wi` towards the light,
+// `wo` towards the viewer, `wm` a facet normal, all unit and pointing away from the surface. `f` is
+// the BSDF per steradian without the cosine; a name ending in `_cos` includes cos_theta_i. `eta` is
+// ior below / ior above an interface, a conductor's index is eta + i kappa, `alpha` is the slope
+// roughness of the papers. Shaders return no NaN, no infinity and nothing negative.
+#ifndef LQ_LACQUER_GLSL
+#define LQ_LACQUER_GLSL
+
+#include "core/frame.glsl"
+#include "core/random.glsl"
+#include "core/sampling.glsl"
+#include "lighting/tone_mapping.glsl"
+
+// Levels:
+#include "plain/plain.glsl"
+
+#endif
