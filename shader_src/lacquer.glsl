@@ -12,6 +12,7 @@
 #include "core/frame.glsl"
 #include "core/random.glsl"
 #include "core/sampling.glsl"
+#include "lighting/sphere.glsl"
 #include "lighting/tone_mapping.glsl"
 
 // Levels:

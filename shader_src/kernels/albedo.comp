@@ -1,7 +1,7 @@
 // Inputs: wo per query. Results: (direct, 0), (base, 0).
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "model.glsl"
+#include "surfaces.glsl"
 
 void main() {
     const uint query = gl_GlobalInvocationID.x;

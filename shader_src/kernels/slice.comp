@@ -2,7 +2,7 @@
 // Inputs: wi per query. Results: (f, pdf).
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "model.glsl"
+#include "surfaces.glsl"
 
 void main() {
     const uint query = gl_GlobalInvocationID.x;

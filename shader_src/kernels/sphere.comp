@@ -3,7 +3,7 @@
 // Inputs: wi, wo per pixel in its local frame. Results: (radiance, 1).
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "model.glsl"
+#include "surfaces.glsl"
 
 void main() {
     const uint query = gl_GlobalInvocationID.x;
