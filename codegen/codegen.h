@@ -44,8 +44,8 @@ struct ShaderFile {
     std::filesystem::path path;  // relative: TARGET/FORM/LEVEL_KERNEL.EXT or TARGET/FORM/LEVEL.EXT
     Target target;
     Form form;
-    std::string level;   // "plain"
-    std::string kernel;  // "eval", ..., or "sphere_view" for graphics; empty in library form
+    std::string level;     // "plain"
+    std::string kernel;    // "eval", ..., or "sphere_view" for graphics; empty in library form
     std::string contents;  // text, or the words of SPIR-V as bytes
     std::vector<EntryPoint> entry_points;
     std::vector<Function> functions;

@@ -67,7 +67,7 @@ class Backend {
 
 // What the caller may choose; empty means the embedded default.
 struct BackendOptions {
-    std::string device;  // part of a Vulkan device's name, or its index; empty: lavapipe
+    std::string device;       // part of a Vulkan device's name, or its index; empty: lavapipe
     bool validation = false;  // Vulkan validation layers; any message is an Error
 };
 

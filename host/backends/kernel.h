@@ -23,12 +23,18 @@ struct KernelShape {
 
 constexpr KernelShape kernel_shape(Kernel kernel) {
     switch (kernel) {
-        case Kernel::eval: return {"eval", 2, 1};
-        case Kernel::slice: return {"slice", 1, 1};
-        case Kernel::sphere: return {"sphere", 2, 1};
-        case Kernel::sample: return {"sample", 2, 2};
-        case Kernel::albedo: return {"albedo", 1, 2};
-        case Kernel::copy: return {"copy", 2, 1};
+        case Kernel::eval:
+            return {"eval", 2, 1};
+        case Kernel::slice:
+            return {"slice", 1, 1};
+        case Kernel::sphere:
+            return {"sphere", 2, 1};
+        case Kernel::sample:
+            return {"sample", 2, 2};
+        case Kernel::albedo:
+            return {"albedo", 1, 2};
+        case Kernel::copy:
+            return {"copy", 2, 1};
     }
     return {"", 0, 0};
 }

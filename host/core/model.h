@@ -13,7 +13,8 @@ enum class Model {
 // The name on the command line, in JSON and in file names of shader variants.
 std::string_view model_name(Model model);
 
-// The level of the shader source that implements it: the prefix of its public functions, lq_LEVEL_*.
+// The level of the shader source that implements it: the prefix of its public functions,
+// lq_LEVEL_*.
 std::string_view model_level(Model model);
 
 // Throws UsageError listing the models there are.

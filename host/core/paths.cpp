@@ -55,9 +55,10 @@ fs::path share_folder() {
     const fs::path program = fs::read_symlink("/proc/self/exe");
     const fs::path folder = program.parent_path().parent_path() / "share" / "lacquer";
     if (!fs::is_directory(folder))
-        throw Error{fmt::format("the folder '{}' is missing: set LACQUER_SHARE to where shaders/, "
-                                "materials/ and tables/ are",
-                                folder.string())};
+        throw Error{
+            fmt::format("the folder '{}' is missing: set LACQUER_SHARE to where shaders/, "
+                        "materials/ and tables/ are",
+                        folder.string())};
     return folder;
 }
 

@@ -1,0 +1,22 @@
+// The shader source itself, compiled as C++ in float; for literals without a suffix to be floats
+// too, as they are in GLSL, compile with LACQUER_FLOAT_LITERALS (see CMakeLists.txt). One of
+// shader_float.h and shader_double.h per translation unit.
+#pragma once
+
+#include "shading/glsl.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wshadow"
+namespace lacquer::shader {
+namespace {
+
+using namespace glsl_float;
+using Real = float;
+
+#include "lacquer.glsl"
+
+}  // namespace
+}  // namespace lacquer::shader
+#pragma GCC diagnostic pop
