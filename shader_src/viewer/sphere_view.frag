@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "../lighting/sphere.glsl"
 #include "../lighting/tone_mapping.glsl"
-#include "sphere_view.glsl"
+#include "view.glsl"
 
 layout(location = 0) in vec2 view_position;
 layout(location = 0) out vec4 color;

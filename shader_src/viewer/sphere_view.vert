@@ -1,7 +1,7 @@
 // One triangle that covers the picture; draw three vertices.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "sphere_view.glsl"
+#include "view.glsl"
 
 layout(location = 0) out vec2 view_position;
 

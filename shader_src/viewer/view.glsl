@@ -1,6 +1,6 @@
 // What the picture of a sphere reads: the surface, its lights and the size of the picture.
-#ifndef LQ_VIEWER_SPHERE_VIEW_GLSL
-#define LQ_VIEWER_SPHERE_VIEW_GLSL
+#ifndef LQ_VIEWER_VIEW_GLSL
+#define LQ_VIEWER_VIEW_GLSL
 
 #include "../kernels/model.glsl"
 
