@@ -19,7 +19,8 @@ const float LQ_MAX_CONDUCTOR_INDEX = 40.0;
 // 1e-15 of the horizon give a large value instead of infinity.
 const float LQ_MIN_COSINE_PRODUCT = 1.0e-30;
 
-// A direction whose squared length exceeds this is no direction; formulas are bounded below it.
+// A vector whose squared length lies outside these is no direction; formulas are bounded within.
+const float LQ_MIN_SQUARED_LENGTH = 0.5;
 const float LQ_MAX_SQUARED_LENGTH = 2.0;
 
 #endif

@@ -45,6 +45,9 @@ vec3 lq_frame_to_world(const LqFrame frame, const vec3 w) {
 // formulas could overflow: what is not a direction reflects nothing.
 bool lq_is_above(const vec3 w) {
     const float length_squared = dot(w, w);
+    if (length_squared < LQ_MIN_SQUARED_LENGTH) {
+        return false;
+    }
     return w.z > 0.0 ? length_squared < LQ_MAX_SQUARED_LENGTH : false;
 }
 

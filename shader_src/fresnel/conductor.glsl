@@ -5,8 +5,10 @@
 
 #include "../core/math.glsl"
 
-// Keeps 0 / 0 away at exactly grazing incidence on a boundary without contrast.
+// Keep 0 / 0 away: at exactly grazing incidence on a boundary without contrast, and at normal
+// incidence on an index of 0, whose reflectance is 1 like that of any index near it.
 const float LQ_MIN_FRESNEL_COSINE = 1.0e-12;
+const float LQ_MIN_FRESNEL_TERM = 1.0e-30;
 
 // Fresnel reflectance for cos_theta_i in [0, 1] and a conductor of index eta + i kappa (kappa >= 0)
 // relative to the medium of incidence.
@@ -27,7 +29,8 @@ float lq_fresnel_conductor(const float cos_theta_i, const float eta, const float
     const float s_part = ((a - c) * (a - c) + b * b) / ((a + c) * (a + c) + b * b);
     const float p_minus = a * c - sin_squared;
     const float p_plus = a * c + sin_squared;
-    const float p_part = (p_minus * p_minus + b * b * c * c) / (p_plus * p_plus + b * b * c * c);
+    const float common = b * b * c * c + LQ_MIN_FRESNEL_TERM;
+    const float p_part = (p_minus * p_minus + common) / (p_plus * p_plus + common);
     return min(0.5 * s_part * (1.0 + p_part), 1.0);
 }
 

@@ -5,9 +5,15 @@
 
 #include "facets.glsl"
 
-// The facet normal that mirrors wo into wi, for both above the surface.
+// The facet normal that mirrors wo into wi, for both above the surface. Directions opposite along
+// the horizon have none: the macroscopic normal stands in.
 vec3 lq_halfway(const vec3 wi, const vec3 wo) {
-    return normalize(wi + wo);
+    const vec3 sum = wi + wo;
+    const float length_squared = dot(sum, sum);
+    if (length_squared < LQ_MIN_COSINE_PRODUCT) {
+        return vec3(0.0, 0.0, 1.0);
+    }
+    return sum * (1.0 / sqrt(length_squared));
 }
 
 // Cosine of the angle between either direction and their halfway normal. Half the length of the
