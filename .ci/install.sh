@@ -86,7 +86,8 @@ install_npm_packages() {
     wanted=$(sha256sum <"$folder/package-lock.json")
     [[ -f $stamp && $(<"$stamp") == "$wanted" ]] && return
     say "Installing npm packages in $folder $purpose"
-    (cd "$folder" && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error >&2) ||
+    (cd "$folder" && npm ci --ignore-scripts --prefer-offline --no-audit --no-fund --loglevel=error \
+        --fetch-retries=2 --fetch-retry-mintimeout=1000 --fetch-retry-maxtimeout=5000 >&2) ||
         fail "could not install the npm packages of $folder/package-lock.json (is there a network?)"
     [[ -f $folder/node_modules/deno/install.cjs ]] &&
         (cd "$folder" && "$node" node_modules/deno/install.cjs >&2)
