@@ -20,13 +20,16 @@ enum class Ndf { ggx, beckmann };
 struct Microsurface {
     Ndf ndf = Ndf::ggx;
     std::array<double, 2> alpha{0.0, 0.0};
+    friend bool operator==(const Microsurface&, const Microsurface&) = default;
 };
 
-// One stratum of a blended microsurface; what is absent is taken from the interface or base.
+// One stratum of a blended microsurface. `eta` and `kappa` stand only in strata of a conductor base,
+// `albedo` only in those of diffuse facets; what is absent is the base's.
 struct Stratum {
     double weight = 1.0;  // (0, 1); the last stratum's is what the others leave
     Microsurface microsurface;
     std::optional<Rgb> eta, kappa, albedo;
+    friend bool operator==(const Stratum&, const Stratum&) = default;
 };
 
 // A microsurface whose roughness or material changes with height; `strata` from the top down.
@@ -34,6 +37,7 @@ struct Blend {
     enum class Operator { symmetric, asymmetric };
     Operator op = Operator::asymmetric;
     std::vector<Stratum> strata;  // at least two
+    friend bool operator==(const Blend&, const Blend&) = default;
 };
 
 // Uniform or blended.
@@ -43,19 +47,23 @@ using Roughness = std::variant<Microsurface, Blend>;
 struct Interface {
     double ior = 1.5;
     Roughness roughness;
+    friend bool operator==(const Interface&, const Interface&) = default;
 };
 
 // A medium of unit thickness that only absorbs: `tau` in [0, 1] is its transmittance along the
 // normal.
 struct AbsorbingMedium {
     Rgb tau{1.0, 1.0, 1.0};
+    friend bool operator==(const AbsorbingMedium&, const AbsorbingMedium&) = default;
 };
 
-// A medium that scatters: coefficients per unit of thickness, >= 0; g in [-0.99, 0.99].
+// A medium that may scatter: coefficients per unit of thickness, >= 0; g in [-0.99, 0.99] is the
+// mean cosine of the phase function; thickness >= 0.
 struct ScatteringMedium {
     Rgb sigma_a{}, sigma_s{};
     double g = 0.0;
     double thickness = 1.0;
+    friend bool operator==(const ScatteringMedium&, const ScatteringMedium&) = default;
 };
 
 using Medium = std::variant<AbsorbingMedium, ScatteringMedium>;
@@ -63,36 +71,45 @@ using Medium = std::variant<AbsorbingMedium, ScatteringMedium>;
 struct Layer {
     Interface interface;
     Medium medium;
+    friend bool operator==(const Layer&, const Layer&) = default;
 };
 
 // Reflects diffusely; `albedo` in [0, 1].
 struct LambertianBase {
     Rgb albedo{};
+    friend bool operator==(const LambertianBase&, const LambertianBase&) = default;
 };
 
 // Absolute index eta + i kappa; eta in [0, 5], kappa in [0, 10].
 struct ConductorBase {
     Rgb eta{}, kappa{};
     Roughness roughness;
+    friend bool operator==(const ConductorBase&, const ConductorBase&) = default;
 };
 
 // Rough surface of diffuse facets; `albedo` in [0, 1].
 struct DiffuseFacetsBase {
     Rgb albedo{};
     Roughness roughness;
+    friend bool operator==(const DiffuseFacetsBase&, const DiffuseFacetsBase&) = default;
 };
 
 // Light passes on below the last layer.
-struct NoBase {};
+struct NoBase {
+    friend bool operator==(const NoBase&, const NoBase&) = default;
+};
 
 using Base = std::variant<LambertianBase, ConductorBase, DiffuseFacetsBase, NoBase>;
 
-// Where a number of the material comes from an image in renders: `path` is the JSON pointer of the
-// number (for example "/layers/0/interface/alpha"), `channel` one of r, g, b, a.
+// Where a number of the material comes from an image in renders: `pointer` is the JSON pointer of
+// the number (for example "/layers/0/interface/alpha"), `channel` one of r, g, b, a. `file` is
+// resolved against the folder of the material; whether it exists is found out when it is read. Until
+// then the number has a value within its range that means nothing.
 struct TextureReference {
-    std::string path;
+    std::string pointer;
     std::filesystem::path file;
     char channel = 'r';
+    friend bool operator==(const TextureReference&, const TextureReference&) = default;
 };
 
 struct Material {
@@ -101,6 +118,7 @@ struct Material {
     std::vector<Layer> layers;  // top to bottom, at most kMaxLayers
     Base base;
     std::vector<TextureReference> textures;
+    friend bool operator==(const Material&, const Material&) = default;
 };
 
 inline constexpr std::size_t kMaxLayers = 8;
