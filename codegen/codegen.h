@@ -62,13 +62,29 @@ struct Request {
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
-// Generates everything asked for; the same request gives the same bytes. WGSL needs Node.js: throws
-// lacquer::Error saying so where it is missing and WGSL was asked for. Throws with the compiler's
-// message, file and line where a source does not compile.
-std::vector<ShaderFile> generate(const Request& request);
+// What one request yields.
+struct Package {
+    std::string source_sha256;  // of everything below shader_src
+    std::vector<ShaderFile> files;
+};
 
-// Writes the files and `manifest.json` below `folder`; a file appears whole or not at all. Throws
-// Error where the folder cannot be written.
-void write(std::span<const ShaderFile> files, const std::filesystem::path& folder);
+// Whether WGSL can be written here; otherwise the reason and what to do about it.
+struct WgslAvailability {
+    bool usable = false;
+    std::string reason;
+};
+WgslAvailability wgsl_availability();
+
+// Generates everything asked for; the same request gives the same bytes. Throws UsageError for an
+// unknown level, Error with file, line and the compiler's message where a source does not compile,
+// and Error with the reason where WGSL is asked for and not available.
+Package generate(const Request& request);
+
+// The manifest of a package as JSON text; its schema is manifest.schema.json.
+std::string manifest(const Package& package);
+
+// Writes the files and `manifest.json` below `folder`, which is made where it is missing; a file
+// appears whole or not at all. Throws Error where the folder cannot be written.
+void write(const Package& package, const std::filesystem::path& folder);
 
 }  // namespace lacquer::codegen

@@ -1,0 +1,74 @@
+#include "codegen/variants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.h"
+
+namespace lacquer::codegen {
+
+namespace {
+
+constexpr std::array kLevels{
+    Level{"plain", "plain/plain.glsl", "LQ_MODEL_PLAIN",
+          "a rough dielectric coat over a bare base, no light passing between them"},
+};
+
+struct StageEntry {
+    Stage stage;
+    std::string_view name;
+    std::string_view folder;
+    std::string_view extension;
+};
+
+constexpr std::array kStages{
+    StageEntry{Stage::compute, "compute", "kernels", ".comp"},
+    StageEntry{Stage::vertex, "vertex", "viewer", ".vert"},
+    StageEntry{Stage::fragment, "fragment", "viewer", ".frag"},
+};
+
+}  // namespace
+
+std::string_view stage_name(Stage stage) {
+    return kStages[static_cast<std::size_t>(stage)].name;
+}
+
+std::span<const Level> all_levels() {
+    return kLevels;
+}
+
+const Level& level_from_name(std::string_view name) {
+    std::string known;
+    for (const Level& level : kLevels) {
+        if (level.name == name) return level;
+        known += known.empty() ? "" : ", ";
+        known += level.name;
+    }
+    throw UsageError{fmt::format("level '{}' is not one of: {}", name, known)};
+}
+
+std::vector<KernelSource> all_kernels(const SourceTree& tree) {
+    std::vector<KernelSource> kernels;
+    for (const auto& [name, text] : tree.files()) {
+        const std::filesystem::path path{name};
+        for (const StageEntry& entry : kStages)
+            if (path.parent_path() == entry.folder && path.extension() == entry.extension)
+                kernels.push_back({path.stem().string(), name, entry.stage});
+    }
+    std::ranges::sort(kernels, {}, [](const KernelSource& kernel) {
+        return std::pair{kernel.kernel, kernel.stage};
+    });
+    return kernels;
+}
+
+bool can_express(Target target, Stage stage) {
+    return target != Target::essl300 || stage != Stage::compute;
+}
+
+bool can_express_library(Target target) {
+    return target != Target::spirv;
+}
+
+}  // namespace lacquer::codegen
