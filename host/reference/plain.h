@@ -1,0 +1,74 @@
+// The model `plain` in double precision: the single reflections of the top interface plus the base
+// as if it were bare, without transport between them.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "lacquer/material.h"
+#include "reference/facets.h"
+
+namespace lacquer::reference {
+
+// Roughnesses below this are shaded at this: a narrower lobe has no width a renderer could sample.
+inline constexpr double kMinAlpha = 1e-3;
+
+// A lobe is chosen at least this often by `sample`, so that no weight grows beyond ten times its
+// own.
+inline constexpr double kMinChoice = 0.1;
+
+// The top interface, seen from the exterior.
+struct PlainCoat {
+    Facets facets;
+    double eta;  // index below over index of the exterior
+};
+
+// Index relative to the exterior, per colour channel.
+struct PlainConductor {
+    Facets facets;
+    std::array<std::complex<double>, 3> eta;
+};
+
+// At most one of `albedo` and `conductor` is there: neither where the base is "none".
+struct PlainSurface {
+    std::optional<PlainCoat> coat;
+    std::optional<glm::dvec3> albedo;  // a Lambertian base
+    std::optional<PlainConductor> conductor;
+};
+
+struct Sample {
+    glm::dvec3 wi{0.0, 0.0, 1.0};
+    glm::dvec3 weight{0.0};  // f cos_theta_i / pdf; 0 where wi is below the surface
+    double pdf = 0.0;        // per solid angle; 0 where wi is below the surface
+};
+
+// Directional albedo, split by where the light turned back.
+struct Albedo {
+    glm::dvec3 direct{0.0};  // never reached the base
+    glm::dvec3 base{0.0};
+};
+
+// What `plain` takes from a material: layers below the first and all media are not transported, and
+// diffuse facets are shaded as Lambertian. Throws Error naming the JSON pointer of a blended
+// microsurface that it would have to shade.
+PlainSurface prepare_plain(const Material& material);
+
+// f(wi, wo), per steradian; 0 unless both directions are above the surface.
+glm::dvec3 eval(const PlainSurface& surface, const glm::dvec3& wi, const glm::dvec3& wo);
+
+// Density per solid angle with which `sample` chooses wi; 0 unless both directions are above.
+double pdf(const PlainSurface& surface, const glm::dvec3& wi, const glm::dvec3& wo);
+
+// A direction of light for a viewer at wo, from u in [0, 1)^3: u.x chooses the coat with
+// probability F / (F + B), kept within [kMinChoice, 1 - kMinChoice], where F is the coat's Fresnel
+// reflectance at cos_theta_o and B the base's albedo or Fresnel reflectance there, averaged over
+// the channels; (u.y, u.z) choose the direction: a visible normal's mirror direction, or a
+// cosine-weighted one.
+Sample sample(const PlainSurface& surface, const glm::dvec3& wo, const glm::dvec3& u);
+
+// The fraction of light from every direction that is sent to wo, to 1e-7; 0 unless wo is above.
+Albedo albedo(const PlainSurface& surface, const glm::dvec3& wo);
+
+}  // namespace lacquer::reference
