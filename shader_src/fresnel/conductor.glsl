@@ -29,8 +29,8 @@ float lq_fresnel_conductor(const float cos_theta_i, const float eta, const float
     const float s_part = ((a - c) * (a - c) + b * b) / ((a + c) * (a + c) + b * b);
     const float p_minus = a * c - sin_squared;
     const float p_plus = a * c + sin_squared;
-    const float common = b * b * c * c + LQ_MIN_FRESNEL_TERM;
-    const float p_part = (p_minus * p_minus + common) / (p_plus * p_plus + common);
+    const float offset = b * b * c * c + LQ_MIN_FRESNEL_TERM;
+    const float p_part = (p_minus * p_minus + offset) / (p_plus * p_plus + offset);
     return min(0.5 * s_part * (1.0 + p_part), 1.0);
 }
 
