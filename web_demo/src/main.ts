@@ -1,0 +1,117 @@
+// Wires the page together: the address, the device, the scene, and what people change of it.
+import "./style.css";
+import { type Address, readAddress } from "./address";
+import { element, fail, failOnUncaughtErrors } from "./fail";
+import { followSize } from "./gpu/canvas";
+import { requestDevice } from "./gpu/device";
+import { bundledMaterial, bundledNames, metals } from "./material/bundled";
+import type { Material } from "./material/material";
+import { parseMaterial } from "./material/parse";
+import { MaterialError } from "./material/place";
+import { DEFAULT_IRRADIANCE, DEFAULT_LIGHT, type Scene, sphereView } from "./scene";
+import { createRenderer, type Renderer, SphereCanvas } from "./sphere_canvas";
+import { showControls } from "./ui/controls";
+import { dragLight } from "./ui/light_drag";
+import { addSwatch, markChosen } from "./ui/swatches";
+
+const DEFAULT_MATERIAL = "vermilion_lacquer";
+const STAGE_HALF_EXTENT = 1.2; // leaves the sphere some air
+const SWATCH_HALF_EXTENT = 1.02;
+
+const canvas = element<HTMLCanvasElement>("#stage");
+const swatches = element<HTMLElement>("#swatches");
+const notice = element<HTMLElement>("#notice");
+
+function sceneOf(address: Address): Scene {
+    return {
+        material: bundledMaterial(address.material ?? DEFAULT_MATERIAL),
+        light: address.light ?? DEFAULT_LIGHT,
+        irradiance: address.irradiance ?? DEFAULT_IRRADIANCE,
+        studio: address.studio ?? true,
+    };
+}
+
+// A drawing of `scene`, asked for any number of times and done once per frame of the display.
+function drawOnDemand(renderer: Renderer, scene: Scene, halfExtent: number): () => void {
+    const stage = new SphereCanvas(renderer, canvas);
+    let asked = false;
+    return () => {
+        if (asked) {
+            return;
+        }
+        asked = true;
+        requestAnimationFrame(async () => {
+            asked = false;
+            stage.draw(sphereView(scene, halfExtent));
+            await renderer.device.queue.onSubmittedWorkDone();
+            document.body.dataset["drawn"] = "true"; // what the tests wait for
+        });
+    };
+}
+
+function describe(material: Material): void {
+    element("#material-name").textContent = material.name;
+    const { omitted } = material;
+    notice.textContent =
+        omitted.length === 0 ? "" : `The model “plain” leaves out ${omitted.join(" and ")}.`;
+}
+
+// The page as people see it: materials to choose, sliders, and a light to drag.
+function showInterface(renderer: Renderer, scene: Scene, chosen: string, redraw: () => void): void {
+    const panel = element<HTMLElement>("#controls");
+    let removeControls = (): void => {};
+    const show = (material: Material): void => {
+        scene.material = material;
+        describe(material);
+        removeControls();
+        removeControls = showControls(panel, scene, redraw);
+        redraw();
+    };
+    for (const name of bundledNames) {
+        const material = bundledMaterial(name);
+        const { button, canvas: small } = addSwatch(swatches, material.name, () => {
+            markChosen(swatches, button);
+            show(bundledMaterial(name));
+        });
+        const view = sphereView({ ...scene, material, light: DEFAULT_LIGHT }, SWATCH_HALF_EXTENT);
+        new SphereCanvas(renderer, small).draw(view);
+        if (name === chosen) {
+            markChosen(swatches, button);
+        }
+    }
+    element<HTMLInputElement>("#open").addEventListener("change", async ({ currentTarget }) => {
+        const file = (currentTarget as HTMLInputElement).files?.[0];
+        if (file !== undefined) {
+            try {
+                show(parseMaterial(await file.text(), file.name, metals));
+                markChosen(swatches, undefined);
+            } catch (error) {
+                notice.textContent = error instanceof MaterialError ? error.message : String(error);
+            }
+        }
+    });
+    dragLight(canvas, STAGE_HALF_EXTENT, () => scene.light, (light) => {
+        scene.light = light;
+        redraw();
+    });
+    show(scene.material);
+}
+
+async function start(): Promise<void> {
+    const address = readAddress(location.search);
+    const scene = sceneOf(address);
+    const renderer = await createRenderer(await requestDevice());
+    if (address.size !== undefined) {
+        document.body.classList.add("picture");
+        canvas.style.width = canvas.style.height = `${address.size / devicePixelRatio}px`;
+        canvas.width = canvas.height = address.size;
+        drawOnDemand(renderer, scene, 1)();
+        return;
+    }
+    const redraw = drawOnDemand(renderer, scene, STAGE_HALF_EXTENT);
+    showInterface(renderer, scene, address.material ?? DEFAULT_MATERIAL, redraw);
+    followSize(renderer.device, canvas, redraw);
+}
+
+failOnUncaughtErrors();
+start().catch((error: unknown) => fail(error instanceof Error ? error.message : String(error)));

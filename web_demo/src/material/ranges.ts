@@ -1,0 +1,22 @@
+// The range of every number of a material file that the page reads.
+
+export interface Range {
+    low: number;
+    high: number;
+}
+
+export const IOR: Range = { low: 0.3, high: 4 };
+export const IOR_RATIO: Range = { low: 1 / 3, high: 3 };
+export const ALPHA: Range = { low: 0, high: 1 };
+export const ALBEDO: Range = { low: 0, high: 1 };
+export const CONDUCTOR_ETA: Range = { low: 0, high: 5 };
+export const CONDUCTOR_KAPPA: Range = { low: 0, high: 10 };
+export const MAX_LAYERS = 8;
+
+// The indices that a medium below one of index `above` may have.
+export function iorBelow(above: number): Range {
+    return {
+        low: Math.max(IOR.low, IOR_RATIO.low * above),
+        high: Math.min(IOR.high, IOR_RATIO.high * above),
+    };
+}
