@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace lacquer {
 
@@ -17,6 +18,21 @@ class Error : public std::runtime_error {
 class UsageError : public Error {
  public:
     using Error::Error;
+};
+
+// This machine lacks something. `reason` says what, `remedy` what to install or set; the message is
+// both.
+class Unavailable : public Error {
+ public:
+    Unavailable(std::string reason, std::string remedy)
+        : Error{reason + ": " + remedy}, reason_{std::move(reason)}, remedy_{std::move(remedy)} {}
+
+    const std::string& reason() const { return reason_; }
+    const std::string& remedy() const { return remedy_; }
+
+ private:
+    std::string reason_;
+    std::string remedy_;
 };
 
 }  // namespace lacquer

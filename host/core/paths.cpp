@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "core/environment.h"
 #include "core/error.h"
 #include "core/process.h"
 
@@ -14,12 +15,6 @@ namespace lacquer {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::optional<std::string> environment(const char* name) {
-    const char* value = std::getenv(name);
-    if (value == nullptr || *value == '\0') return std::nullopt;
-    return std::string{value};
-}
 
 // Major version of the Node.js at `program`; 0 where it does not answer.
 int node_major(const fs::path& program) {
@@ -34,11 +29,14 @@ int node_major(const fs::path& program) {
 
 std::optional<fs::path> find_node() {
     std::vector<fs::path> candidates;
-    if (const auto chosen = environment("LACQUER_NODE")) candidates.emplace_back(*chosen);
-    if (const fs::path configured{LACQUER_CONFIGURED_NODE}; !configured.empty())
-        candidates.push_back(configured);
-    if (const auto found = boost::process::search_path("node"); !found.empty())
-        candidates.emplace_back(found.string());
+    if (const auto chosen = environment_variable("LACQUER_NODE")) {
+        candidates.emplace_back(*chosen);
+    } else {
+        if (const fs::path configured{LACQUER_CONFIGURED_NODE}; !configured.empty())
+            candidates.push_back(configured);
+        if (const auto found = boost::process::search_path("node"); !found.empty())
+            candidates.emplace_back(found.string());
+    }
     for (const fs::path& candidate : candidates)
         if (node_major(candidate) >= kMinNodeMajor) return candidate;
     return std::nullopt;
@@ -47,7 +45,7 @@ std::optional<fs::path> find_node() {
 }  // namespace
 
 fs::path share_folder() {
-    if (const auto chosen = environment("LACQUER_SHARE")) {
+    if (const auto chosen = environment_variable("LACQUER_SHARE")) {
         if (!fs::is_directory(*chosen))
             throw Error{fmt::format("LACQUER_SHARE is '{}', which is not a folder", *chosen)};
         return *chosen;

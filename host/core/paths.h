@@ -14,8 +14,8 @@ std::filesystem::path share_folder();
 // A file below share_folder(); throws Error naming it where it is missing.
 std::filesystem::path share_file(const std::filesystem::path& relative);
 
-// A Node.js of at least kMinNodeMajor: $LACQUER_NODE, the one found when the project was
-// configured, or the one on the PATH; nothing where there is none new enough.
+// A Node.js of at least kMinNodeMajor: $LACQUER_NODE alone where set, else the one found when the
+// project was configured or the one on the PATH; nothing where there is none new enough.
 std::optional<std::filesystem::path> node_program();
 
 // Why node_program() found nothing, and what to do about it.
