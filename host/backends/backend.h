@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,39 +27,34 @@ struct Job {
     std::span<const Material> materials;
     std::uint64_t queries_per_material = 1;
     std::span<const glm::vec4> inputs;
-    KernelParameters parameters;  // counts are filled in by run_job
+    KernelParameters parameters;  // the counts are filled in by run()
 
+    // Saturates at 2^64 - 1.
     std::uint64_t query_count() const;
 };
 
 struct JobResult {
     std::vector<glm::dvec4> rows;  // result_rows(kernel) per query
     double seconds = 0.0;          // executing and moving data; no compilation
+    // The kernels alone, by the device's own clock, where it has one.
+    std::optional<double> device_seconds;
 };
 
-// Part of a job that fits a backend's limits, in the form every float backend takes.
-struct Dispatch {
-    Model model;
-    Kernel kernel;
-    std::span<const glm::vec4> surfaces;  // packed rows, see pack.h
-    std::span<const glm::vec4> inputs;
-    KernelParameters parameters;
-};
+// Throws Error saying what is wrong: no queries or more than kMaxQueries, or another number of
+// input rows than the materials and the kernel need.
+void check_job(const Job& job);
 
 class Backend {
  public:
     virtual ~Backend() = default;
 
-    // Compiles what `model` and `kernel` need, so that timings leave it out.
+    // Compiles what `model` and `kernel` need and runs it once, so that timings leave out what
+    // happens the first time. Throws Error with the compiler's own message where it fails.
     virtual void prepare(Model model, Kernel kernel) = 0;
 
-    // Executes one part and writes result_rows per query to `results`. Throws Error with the
-    // executor's own message where it fails.
-    virtual void execute(const Dispatch& dispatch, std::span<glm::vec4> results) = 0;
-
-    // Runs a whole job: checks it, splits it into dispatches, measures them. The reference
-    // overrides it to work in double. Throws Error for zero queries or more than kMaxQueries.
-    virtual JobResult run(const Job& job);
+    // Runs a whole job, preparing it where need be. Throws Error for what check_job() finds, and
+    // with the executor's own message where it fails.
+    virtual JobResult run(const Job& job) = 0;
 
     // The device or compiler that executes, for reports.
     virtual std::string device() const = 0;

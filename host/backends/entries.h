@@ -1,0 +1,16 @@
+// The entries of the registry, each defined beside its backend.
+#pragma once
+
+#include <functional>
+
+#include "backends/backend.h"
+
+namespace lacquer {
+
+extern const BackendEntry kVulkanEntry;
+
+// Whether `attempt` succeeds, which returns the device or throws what this machine lacks. Trying is
+// the only test that tells the truth about drivers.
+Availability probe_by_trying(const std::function<std::string()>& attempt);
+
+}  // namespace lacquer

@@ -1,0 +1,29 @@
+#include "backends/pack.h"
+
+#include "backends/pack_plain.h"
+
+namespace lacquer {
+
+std::size_t surface_rows(Model model) {
+    switch (model) {
+        case Model::plain:
+            return kPlainRows;
+    }
+    return 0;
+}
+
+std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> materials) {
+    std::vector<glm::vec4> rows;
+    rows.reserve(materials.size() * surface_rows(model));
+    for (const Material& material : materials) {
+        switch (model) {
+            case Model::plain: {
+                const auto packed = pack_plain(material);
+                rows.insert(rows.end(), packed.begin(), packed.end());
+            }
+        }
+    }
+    return rows;
+}
+
+}  // namespace lacquer
