@@ -1,0 +1,133 @@
+#include "backends/jobs.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace lacquer::test {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Increments of the two-dimensional golden-ratio sequence and of its one-dimensional companion.
+constexpr double kStepU = 0.7548776662466927;
+constexpr double kStepV = 0.5698402909980532;
+constexpr double kStepW = 0.6180339887498949;
+
+double fraction(double x) {
+    return x - std::floor(x);
+}
+
+glm::vec4 direction(double cos_theta, double phi) {
+    const double sin_theta = std::sqrt((1.0 - cos_theta) * (1.0 + cos_theta));
+    return {sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta, 0.0};
+}
+
+// Three uniform numbers per row.
+std::vector<glm::vec4> uniforms(std::size_t count) {
+    std::vector<glm::vec4> rows;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double n = static_cast<double>(i) + 0.5;
+        rows.emplace_back(fraction(n * kStepW), fraction(n * kStepU), fraction(n * kStepV), 0.0);
+    }
+    return rows;
+}
+
+Layer coat(double ior, Ndf ndf, double alpha_x, double alpha_y) {
+    return {{ior, Microsurface{ndf, {alpha_x, alpha_y}}}, AbsorbingMedium{}};
+}
+
+std::vector<glm::vec4> interleaved(const std::vector<glm::vec4>& even,
+                                   const std::vector<glm::vec4>& odd) {
+    std::vector<glm::vec4> rows;
+    rows.reserve(even.size() + odd.size());
+    for (std::size_t i = 0; i < even.size(); ++i) {
+        rows.push_back(even[i]);
+        rows.push_back(odd[i]);
+    }
+    return rows;
+}
+
+}  // namespace
+
+Job OwnedJob::job() const {
+    return {Model::plain, kernel, materials, queries_per_material, inputs, parameters};
+}
+
+std::vector<Material> test_materials() {
+    const Rgb gold_eta{0.143, 0.375, 1.442};
+    const Rgb gold_kappa{3.983, 2.386, 1.603};
+    const ConductorBase gold{gold_eta, gold_kappa, Microsurface{Ndf::ggx, {0.2, 0.2}}};
+    const ConductorBase brushed{gold_eta, gold_kappa, Microsurface{Ndf::beckmann, {0.1, 0.6}}};
+    return {{"glazed", 1.0, {coat(1.5, Ndf::ggx, 0.1, 0.1)}, LambertianBase{{0.8, 0.5, 0.1}}, {}},
+            {"metal", 1.0, {}, gold, {}},
+            {"brushed", 1.33, {}, brushed, {}},
+            {"glass", 1.0, {coat(1.7, Ndf::beckmann, 0.4, 0.4)}, NoBase{}, {}},
+            {"bubble", 1.5, {coat(1.0, Ndf::ggx, 0.3, 0.8)}, LambertianBase{{1, 1, 1}}, {}},
+            {"varnished metal", 1.0, {coat(1.4, Ndf::ggx, 0.05, 0.05)}, brushed, {}}};
+}
+
+std::vector<Material> many_materials(std::size_t count) {
+    const std::vector<Material> few = test_materials();
+    std::vector<Material> many;
+    many.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Material material = few[i % few.size()];
+        material.name += fmt::format(" {}", i);
+        const double rougher = static_cast<double>(i) / static_cast<double>(10 * count);
+        if (!material.layers.empty())
+            std::get<Microsurface>(material.layers[0].interface.roughness).alpha[0] += rougher;
+        many.push_back(std::move(material));
+    }
+    return many;
+}
+
+std::vector<glm::vec4> directions(std::size_t count, double stream) {
+    std::vector<glm::vec4> rows;
+    rows.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double n = static_cast<double>(i) + 0.5;
+        double cos_theta = fraction(n * kStepU + stream);
+        if (i % 8 == 3) cos_theta *= std::sin(kPi / 180.0);
+        if (i % 64 == 5) cos_theta = 1.0;
+        rows.push_back(direction(cos_theta, 2.0 * kPi * fraction(n * kStepV - stream)));
+    }
+    return rows;
+}
+
+OwnedJob make_job(Kernel kernel, std::vector<Material> materials,
+                  std::uint64_t queries_per_material) {
+    OwnedJob owned{kernel, std::move(materials), queries_per_material, {}, {}};
+    const std::size_t count = owned.materials.size() * queries_per_material;
+    const glm::vec4 wo = direction(0.3, 0.5);
+    for (int axis = 0; axis < 3; ++axis) {
+        owned.parameters.wo[axis] = wo[axis];
+        owned.parameters.radiance[axis] = 1.0f + static_cast<float>(axis);
+    }
+    owned.inputs = directions(count, 0.0);
+    if (kernel == Kernel::sample)
+        owned.inputs = interleaved(owned.inputs, uniforms(count));
+    else if (kernel_shape(kernel).input_rows == 2)
+        owned.inputs = interleaved(owned.inputs, directions(count, 0.37));
+    return owned;
+}
+
+std::vector<std::string> shader_backends() {
+    std::vector<std::string> names;
+    for (const BackendEntry& entry : all_backends())
+        if (entry.name != "reference") names.emplace_back(entry.name);
+    return names;
+}
+
+std::unique_ptr<Backend> create_or_explain(const std::string& name, std::string& skipped,
+                                           const BackendOptions& options) {
+    const BackendEntry& entry = backend_from_name(name);
+    const Availability availability = entry.probe(options);
+    if (availability.usable) return entry.create(options);
+    skipped = fmt::format("{}: {} ({})", name, availability.detail, availability.remedy);
+    return nullptr;
+}
+
+}  // namespace lacquer::test
