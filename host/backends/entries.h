@@ -8,6 +8,9 @@
 namespace lacquer {
 
 extern const BackendEntry kVulkanEntry;
+extern const BackendEntry kGlslEntry;
+extern const BackendEntry kEsslEntry;
+extern const BackendEntry kHlslEntry;
 
 // Whether `attempt` succeeds, which returns the device or throws what this machine lacks. Trying is
 // the only test that tells the truth about drivers.

@@ -10,7 +10,7 @@
 namespace lacquer {
 
 std::span<const BackendEntry> all_backends() {
-    static const std::array entries{kVulkanEntry};
+    static const std::array entries{kVulkanEntry, kGlslEntry, kEsslEntry, kHlslEntry};
     return entries;
 }
 
