@@ -7,6 +7,8 @@
 
 namespace lacquer {
 
+extern const BackendEntry kReferenceEntry;
+extern const BackendEntry kCppEntry;
 extern const BackendEntry kVulkanEntry;
 extern const BackendEntry kGlslEntry;
 extern const BackendEntry kEsslEntry;

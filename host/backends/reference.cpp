@@ -1,0 +1,56 @@
+// Backend `reference`: the models in double precision, which every other backend is measured
+// against.
+#include "reference/plain.h"
+
+#include "backends/cpu_job.h"
+#include "backends/entries.h"
+#include "material/numbers.h"
+
+namespace lacquer {
+
+namespace {
+
+constexpr const char* kDevice = "double precision, all cores";
+
+// The reference under the member names that run_query calls.
+struct ReferenceSurface {
+    using Vector = glm::dvec3;
+    reference::PlainSurface plain;
+
+    Vector eval(const Vector& wi, const Vector& wo) const { return reference::eval(plain, wi, wo); }
+    Vector eval_cos(const Vector& wi, const Vector& wo) const {
+        return eval(wi, wo) * std::max(wi.z, 0.0);
+    }
+    double pdf(const Vector& wi, const Vector& wo) const { return reference::pdf(plain, wi, wo); }
+    reference::Sample sample(const Vector& wo, const Vector& u) const {
+        return reference::sample(plain, wo, u);
+    }
+    reference::Albedo albedo(const Vector& wo, int) const { return reference::albedo(plain, wo); }
+};
+
+// It shades the material as the other backends read it: rounded to float, like its directions.
+class ReferenceBackend final : public Backend {
+ public:
+    void prepare(Model, Kernel) override {}
+
+    JobResult run(const Job& job) override {
+        return run_on_cpu<double>(job, [](const Material& material) {
+            return ReferenceSurface{reference::prepare_plain(rounded_to_float(material))};
+        });
+    }
+
+    std::string device() const override { return kDevice; }
+};
+
+}  // namespace
+
+const BackendEntry kReferenceEntry{"reference",
+                                   "the models in double precision, from the papers and textbooks",
+                                   [](const BackendOptions&) {
+                                       return Availability{true, kDevice, ""};
+                                   },
+                                   [](const BackendOptions&) -> std::unique_ptr<Backend> {
+                                       return std::make_unique<ReferenceBackend>();
+                                   }};
+
+}  // namespace lacquer
