@@ -45,25 +45,17 @@ std::optional<std::uint32_t> find_memory_type(const vk::PhysicalDeviceMemoryProp
     return std::nullopt;
 }
 
-}  // namespace
-
-BindingBuffer::BindingBuffer(const vk::raii::PhysicalDevice& physical,
-                             const vk::raii::Device& device, BufferArgument::Kind kind)
-    : physical_{&physical},
-      device_{&device},
-      kind_{kind},
-      shares_memory_{shares_memory_with_host(physical)} {}
-
-Buffer BindingBuffer::create(std::size_t size, vk::BufferUsageFlags usage,
-                             std::span<const vk::MemoryPropertyFlags> preferences) const {
+Buffer create_buffer(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
+                     std::size_t size, vk::BufferUsageFlags usage,
+                     std::span<const vk::MemoryPropertyFlags> preferences) {
     Buffer buffer;
-    buffer.handle = {*device_, vk::BufferCreateInfo{{}, size, usage}};
+    buffer.handle = {device, vk::BufferCreateInfo{{}, size, usage}};
     const vk::MemoryRequirements needed = buffer.handle.getMemoryRequirements();
-    const auto memory = physical_->getMemoryProperties();
+    const auto memory = physical.getMemoryProperties();
     for (const vk::MemoryPropertyFlags flags : preferences) {
         const auto type = find_memory_type(memory, needed.memoryTypeBits, flags);
         if (!type) continue;
-        buffer.memory = {*device_, vk::MemoryAllocateInfo{needed.size, *type}};
+        buffer.memory = {device, vk::MemoryAllocateInfo{needed.size, *type}};
         buffer.handle.bindMemory(*buffer.memory, 0);
         if (flags & Property::eHostVisible)
             buffer.mapped = static_cast<std::byte*>(buffer.memory.mapMemory(0, VK_WHOLE_SIZE));
@@ -71,6 +63,20 @@ Buffer BindingBuffer::create(std::size_t size, vk::BufferUsageFlags usage,
     }
     throw Error{fmt::format("Vulkan: no memory type for a buffer of {} bytes", size)};
 }
+
+}  // namespace
+
+Buffer create_host_buffer(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
+                          std::size_t size, vk::BufferUsageFlags usage) {
+    return create_buffer(physical, device, size, usage, kHostMemory);
+}
+
+BindingBuffer::BindingBuffer(const vk::raii::PhysicalDevice& physical,
+                             const vk::raii::Device& device, BufferArgument::Kind kind)
+    : physical_{&physical},
+      device_{&device},
+      kind_{kind},
+      shares_memory_{shares_memory_with_host(physical)} {}
 
 void BindingBuffer::reserve(std::size_t size) {
     if (size <= capacity_) return;
@@ -80,13 +86,14 @@ void BindingBuffer::reserve(std::size_t size) {
     capacity_ = 0;
     using Usage = vk::BufferUsageFlagBits;
     if (shares_memory_) {
-        device_side_ = create(capacity, usage_of(kind_), kHostMemory);
+        device_side_ = create_buffer(*physical_, *device_, capacity, usage_of(kind_), kHostMemory);
     } else {
         const bool results = kind_ == BufferArgument::Kind::write;
         const auto away = results ? Usage::eTransferSrc : Usage::eTransferDst;
         const auto host = results ? Usage::eTransferDst : Usage::eTransferSrc;
-        device_side_ = create(capacity, usage_of(kind_) | away, kDeviceMemory);
-        host_side_ = create(capacity, host, kHostMemory);
+        device_side_ =
+            create_buffer(*physical_, *device_, capacity, usage_of(kind_) | away, kDeviceMemory);
+        host_side_ = create_buffer(*physical_, *device_, capacity, host, kHostMemory);
     }
     capacity_ = capacity;
 }

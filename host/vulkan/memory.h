@@ -16,6 +16,11 @@ struct Buffer {
     std::byte* mapped = nullptr;
 };
 
+// A buffer that the host sees and the device uses as `usage` says. Throws Error where the device
+// has no such memory.
+Buffer create_host_buffer(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
+                          std::size_t size, vk::BufferUsageFlags usage);
+
 // A buffer for one binding that grows as needed. Where host and device share memory the host uses
 // it directly; otherwise bytes travel through a second buffer that the host sees.
 class BindingBuffer {
@@ -37,9 +42,6 @@ class BindingBuffer {
     BufferArgument::Kind kind() const { return kind_; }
 
  private:
-    Buffer create(std::size_t size, vk::BufferUsageFlags usage,
-                  std::span<const vk::MemoryPropertyFlags> preferences) const;
-
     const vk::raii::PhysicalDevice* physical_;
     const vk::raii::Device* device_;
     BufferArgument::Kind kind_;
