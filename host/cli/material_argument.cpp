@@ -1,0 +1,34 @@
+#include "cli/material_argument.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/paths.h"
+
+namespace lacquer {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> bundled_material_files() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator{share_file("materials")})
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+fs::path material_file(const std::string& argument) {
+    if (fs::exists(argument)) return argument;
+    std::vector<std::string> names;
+    for (const fs::path& file : bundled_material_files()) {
+        if (file.stem() == argument) return file;
+        names.push_back(file.stem().string());
+    }
+    throw Error{fmt::format("'{}' is neither a file nor a bundled material; there are: {}",
+                            argument, fmt::join(names, ", "))};
+}
+
+}  // namespace lacquer

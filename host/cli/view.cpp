@@ -1,0 +1,103 @@
+// `lacquer view`: a sphere in a window.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/material_argument.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "viewer/viewer.h"
+
+namespace lacquer {
+
+namespace {
+
+constexpr int kMinSize = 64;
+constexpr int kMaxSize = 4096;
+constexpr int kMaxFrames = 1'000'000;
+constexpr double kUnitTolerance = 1e-5;
+constexpr const char* kDefaultMaterial = "vermilion_lacquer";
+
+constexpr const char* kHelp =
+    "Shows a sphere of a material in a window, shaded by the generated SPIR-V.\n\n"
+    "Drag with the mouse to move the highlight; choose a material with the arrow keys or 1 to 0;\n"
+    "R turns the two lights behind the sphere on and off; Escape closes the window.\n\n"
+    "Examples:\n"
+    "  lacquer view --material gold\n"
+    "  lacquer view --material mine.json --device nvidia\n"
+    "  xvfb-run lacquer view --material gold --screenshot gold.png";
+
+struct Arguments {
+    std::string material = kDefaultMaterial;
+    std::vector<double> light;
+    viewer::Options options;
+};
+
+glm::vec3 unit_direction(const std::vector<double>& numbers) {
+    const glm::dvec3 direction{numbers[0], numbers[1], numbers[2]};
+    const double length = glm::length(direction);
+    if (!(std::abs(length - 1.0) <= kUnitTolerance))
+        throw UsageError{fmt::format("--light {},{},{} has length {:.6g}, expected 1 within {}",
+                                     direction.x, direction.y, direction.z, length,
+                                     kUnitTolerance)};
+    return glm::vec3{direction};
+}
+
+// All bundled materials, and before them the chosen one where it is none of these.
+void load_materials(const std::string& argument, viewer::Options& options) {
+    const std::filesystem::path chosen = material_file(argument);
+    std::vector<std::filesystem::path> files = bundled_material_files();
+    if (std::ranges::find(files, chosen) == files.end()) files.insert(files.begin(), chosen);
+    options.first_material =
+        static_cast<std::size_t>(std::ranges::find(files, chosen) - files.begin());
+    for (const std::filesystem::path& file : files)
+        options.materials.push_back(load_material(file));
+}
+
+void run(Arguments& arguments) {
+    viewer::Options& options = arguments.options;
+    if (!arguments.light.empty()) options.light = unit_direction(arguments.light);
+    if (!options.screenshot.empty()) {
+        if (options.screenshot.extension() != ".png")
+            throw UsageError{fmt::format("--screenshot {}: the extension is not .png",
+                                         options.screenshot.string())};
+        require_writable(options.screenshot);
+    }
+    load_materials(arguments.material, options);
+    viewer::run(options);
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app) {
+    auto arguments = std::make_shared<Arguments>();
+    viewer::Options& options = arguments->options;
+    CLI::App* command = app.add_subcommand("view", kHelp);
+    command->add_option("--material", arguments->material, "Material file, or a bundled name")
+        ->capture_default_str();
+    command->add_option("--device", options.device,
+                        "Part of a Vulkan device's name, or its index (default: lavapipe)");
+    command
+        ->add_option("--light", arguments->light,
+                     "Unit direction X,Y,Z towards the only light; x points right, y up, z to "
+                     "the viewer (default: a light to move, and two behind the sphere)")
+        ->delimiter(',')
+        ->expected(3);
+    command->add_option("--size", options.size, "Pixels of either side of the window")
+        ->check(CLI::Range(kMinSize, kMaxSize))
+        ->capture_default_str();
+    command->add_option("--frames", options.frames, "End after so many frames")
+        ->check(CLI::Range(1, kMaxFrames));
+    command->add_option("--screenshot", options.screenshot,
+                        "Show no window, write its last frame to this PNG file and end");
+    command->add_flag("--validation", options.validation,
+                      "Turn the Vulkan validation layers on; any message of theirs is an error");
+    command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace lacquer
