@@ -1,14 +1,19 @@
 // The one place where the page says that it cannot go on.
 
-// Shows `message` instead of the page and ends what was being done. The first message stays: what
-// fails afterwards is its consequence.
-export function fail(message: string): never {
+// Shows `message` instead of the page. The first message stays: what fails afterwards is its
+// consequence.
+function show(message: string): void {
     const panel = document.querySelector<HTMLElement>("#failure");
     const text = document.querySelector<HTMLElement>("#failure-message");
     if (panel !== null && text !== null && panel.hidden) {
         text.textContent = message;
         panel.hidden = false;
     }
+}
+
+// Shows `message` and ends what was being done.
+export function fail(message: string): never {
+    show(message);
     throw new Error(message);
 }
 
@@ -25,8 +30,10 @@ export function element<T extends Element>(selector: string): T {
     return found;
 }
 
-// Sends what nothing catches to `fail`.
-export function failOnUncaughtErrors(): void {
-    addEventListener("error", (event) => fail(event.message));
-    addEventListener("unhandledrejection", (event) => fail(String(event.reason)));
+// Shows what nothing catches.
+export function showUncaughtErrors(): void {
+    addEventListener("error", (event) => show(event.message));
+    addEventListener("unhandledrejection", ({ reason }) => {
+        show(reason instanceof Error ? reason.message : String(reason));
+    });
 }

@@ -1,7 +1,7 @@
 // Wires the page together: the address, the device, the scene, and what people change of it.
 import "./style.css";
 import { type Address, readAddress } from "./address";
-import { element, fail, failOnUncaughtErrors } from "./fail";
+import { element, showUncaughtErrors } from "./fail";
 import { followSize } from "./gpu/canvas";
 import { requestDevice } from "./gpu/device";
 import { bundledMaterial, bundledNames, metals } from "./material/bundled";
@@ -113,5 +113,5 @@ async function start(): Promise<void> {
     followSize(renderer.device, canvas, redraw);
 }
 
-failOnUncaughtErrors();
-start().catch((error: unknown) => fail(error instanceof Error ? error.message : String(error)));
+showUncaughtErrors();
+void start();

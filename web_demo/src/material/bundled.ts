@@ -22,7 +22,7 @@ export const bundledNames: readonly string[] = [...files.keys()].sort();
 export function bundledMaterial(name: string): Material {
     const text = files.get(name);
     if (text === undefined) {
-        throw new MaterialError(`'${name}' is not one of: ${bundledNames.join(", ")}`);
+        throw new MaterialError(`the material '${name}' is not one of: ${bundledNames.join(", ")}`);
     }
     return parseMaterial(text, `${name}.json`, metals);
 }

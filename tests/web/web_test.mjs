@@ -1,0 +1,142 @@
+// The web page in a real browser: its pictures against the C++ reference's, its controls, and what
+// it says where it cannot work.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { launchBrowser, servePage } from "./browser.mjs";
+import { brightness, largestDifference, readPicture } from "./picture.mjs";
+
+const { LACQUER_PROGRAM, LACQUER_PAGE, LACQUER_CHROMIUM, LACQUER_SCREENSHOT } = process.env;
+const MATERIALS = process.env.LACQUER_MATERIALS.split(",");
+
+const SIZE = 256;
+// One level for the rounding of either side, which may fall on different sides of a half.
+const TOLERANCE_LEVELS = 2;
+const LIGHTS = ["-0.48,0.64,0.6", "0.8,-0.36,-0.48"]; // unit
+
+const server = await servePage(LACQUER_PAGE);
+after(() => server.close());
+
+// Opens the page with the parameters `query` and waits until it has drawn.
+async function openPage(browser, query, viewport) {
+    const page = await browser.newPage({ viewport, deviceScaleFactor: 1 });
+    await page.goto(server.address + query);
+    await page.waitForSelector("body[data-drawn], #failure:not([hidden])");
+    const failure = page.locator("#failure");
+    assert.equal(await failure.isVisible(), false, await failure.innerText());
+    return page;
+}
+
+// The reference's picture of `material`.
+function referencePicture(material, light, folder) {
+    const file = join(folder, "reference.png");
+    const options = ["--material", material, "--backend", "reference", "--light", light];
+    execFileSync(LACQUER_PROGRAM, ["sphere", ...options, "--size", `${SIZE}`, "-o", file]);
+    return readPicture(readFileSync(file));
+}
+
+describe("with WebGPU", () => {
+    let browser;
+    const folder = mkdtempSync(join(tmpdir(), "lacquer-web-"));
+    before(async () => {
+        browser = await launchBrowser(LACQUER_CHROMIUM, { webgpu: true });
+    });
+    after(async () => {
+        await browser.close();
+        rmSync(folder, { recursive: true });
+    });
+
+    for (const material of MATERIALS) {
+        for (const light of LIGHTS) {
+            test(`${material} lit from ${light} is the reference's picture`, async () => {
+                const query = `?material=${material}&light=${light}&studio=0&size=${SIZE}`;
+                const page = await openPage(browser, query, { width: SIZE, height: SIZE });
+                const actual = readPicture(await page.locator("#stage").screenshot());
+                await page.close();
+                const expected = referencePicture(material, light, folder);
+                const { levels, x, y, compared } = largestDifference(actual, expected);
+                assert.ok(compared > 0.75 * SIZE * SIZE, `compared only ${compared} pixels`);
+                assert.ok(levels <= TOLERANCE_LEVELS, `differs by ${levels} at (${x}, ${y})`);
+            });
+        }
+    }
+
+    test("the highlight follows the pointer", async () => {
+        const page = await openPage(browser, "?material=gold&studio=0", { width: 1000, height: 800 });
+        const { x, y, width, height } = await page.locator("#stage").boundingBox();
+        const target = { x: Math.round(x + 0.58 * width), y: Math.round(y + 0.6 * height) };
+        await page.mouse.move(x + width / 2, y + height / 2);
+        await page.mouse.down();
+        await page.mouse.move(target.x, target.y);
+        await page.mouse.up();
+        await page.waitForTimeout(200); // one frame and more
+        const picture = readPicture(await page.screenshot());
+        await page.close();
+        const opposite = [Math.round(x + 0.42 * width), Math.round(y + 0.4 * height)];
+        assert.ok(brightness(picture, target.x, target.y) > 600, "no highlight at the pointer");
+        assert.ok(brightness(picture, ...opposite) < 400, "a highlight elsewhere");
+    });
+
+    test("choosing a material shows it and its numbers", async () => {
+        const page = await openPage(browser, "?material=gold", { width: 1280, height: 800 });
+        await page.getByRole("button", { name: "copper" }).first().click();
+        assert.match(await page.locator("#material-name").innerText(), /copper/i);
+        assert.match(await page.locator("#controls").innerText(), /kappa g/);
+        await page.close();
+    });
+
+    test("a material file with an error is named, and the page goes on", async () => {
+        const page = await openPage(browser, "", { width: 1280, height: 800 });
+        const text = JSON.stringify({
+            layers: [{ interface: { ior: 9, alpha: 0.1 } }],
+            base: { lambertian: { albedo: [0.5, 0.5, 0.5] } },
+        });
+        await page.locator("#open").setInputFiles({
+            name: "bad.json",
+            mimeType: "application/json",
+            buffer: Buffer.from(text),
+        });
+        const notice = page.locator("#notice:not(:empty)");
+        await notice.waitFor();
+        assert.equal(
+            await notice.innerText(),
+            "bad.json: /layers/0/interface/ior: 9 is outside [0.3, 4]",
+        );
+        await page.close();
+    });
+
+    test("an unknown material in the address is a clear message", async () => {
+        const page = await browser.newPage();
+        await page.goto(`${server.address}?material=unobtainium`);
+        const message = page.locator("#failure-message:not(:empty)");
+        await message.waitFor();
+        assert.match(await message.innerText(), /'unobtainium' is not one of: .*gold/);
+        await page.close();
+    });
+
+    test("the page fits a desktop and a phone", async () => {
+        const desktop = await openPage(browser, "", { width: 1280, height: 800 });
+        writeFileSync(LACQUER_SCREENSHOT, await desktop.screenshot());
+        await desktop.close();
+        const phone = await openPage(browser, "", { width: 390, height: 844 });
+        const sideways = await phone.evaluate(() => document.body.scrollWidth - innerWidth);
+        assert.ok(sideways <= 0, `the page is ${sideways} pixels too wide`);
+        await phone.close();
+    });
+});
+
+test("without WebGPU the page says so", async () => {
+    const browser = await launchBrowser(LACQUER_CHROMIUM, { webgpu: false });
+    try {
+        const page = await browser.newPage();
+        await page.goto(server.address);
+        const message = page.locator("#failure-message:not(:empty)");
+        await message.waitFor();
+        assert.match(await message.innerText(), /no WebGPU|no graphics adapter/);
+    } finally {
+        await browser.close();
+    }
+});
