@@ -13,6 +13,8 @@ extern const BackendEntry kVulkanEntry;
 extern const BackendEntry kGlslEntry;
 extern const BackendEntry kEsslEntry;
 extern const BackendEntry kHlslEntry;
+extern const BackendEntry kWgpuEntry;
+extern const BackendEntry kDawnEntry;
 
 // Whether `attempt` succeeds, which returns the device or throws what this machine lacks. Trying is
 // the only test that tells the truth about drivers.

@@ -10,8 +10,8 @@
 namespace lacquer {
 
 std::span<const BackendEntry> all_backends() {
-    static const std::array entries{kReferenceEntry, kCppEntry,  kVulkanEntry,
-                                    kGlslEntry,      kEsslEntry, kHlslEntry};
+    static const std::array entries{kReferenceEntry, kCppEntry,  kVulkanEntry, kGlslEntry,
+                                    kEsslEntry,      kHlslEntry, kWgpuEntry,   kDawnEntry};
     return entries;
 }
 
