@@ -26,12 +26,12 @@ class CppBackend final : public Backend {
 
 }  // namespace
 
-const BackendEntry kCppEntry{"cpp", "the shader source compiled as C++, in float",
-                             [](const BackendOptions&) {
-                                 return Availability{true, compiler(), ""};
-                             },
-                             [](const BackendOptions&) -> std::unique_ptr<Backend> {
-                                 return std::make_unique<CppBackend>();
-                             }};
+constinit const BackendEntry kCppEntry{"cpp", "the shader source compiled as C++, in float",
+                                       [](const BackendOptions&) {
+                                           return Availability{true, compiler(), ""};
+                                       },
+                                       [](const BackendOptions&) -> std::unique_ptr<Backend> {
+                                           return std::make_unique<CppBackend>();
+                                       }};
 
 }  // namespace lacquer

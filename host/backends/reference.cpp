@@ -44,13 +44,13 @@ class ReferenceBackend final : public Backend {
 
 }  // namespace
 
-const BackendEntry kReferenceEntry{"reference",
-                                   "the models in double precision, from the papers and textbooks",
-                                   [](const BackendOptions&) {
-                                       return Availability{true, kDevice, ""};
-                                   },
-                                   [](const BackendOptions&) -> std::unique_ptr<Backend> {
-                                       return std::make_unique<ReferenceBackend>();
-                                   }};
+constinit const BackendEntry kReferenceEntry{
+    "reference", "the models in double precision, from the papers and textbooks",
+    [](const BackendOptions&) {
+        return Availability{true, kDevice, ""};
+    },
+    [](const BackendOptions&) -> std::unique_ptr<Backend> {
+        return std::make_unique<ReferenceBackend>();
+    }};
 
 }  // namespace lacquer
