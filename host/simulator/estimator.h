@@ -2,13 +2,16 @@
 // the number of threads.
 #pragma once
 
-#include <tbb/parallel_for.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <vector>
+#include <mutex>
+#include <utility>
 
 #include "simulator/random.h"
 
@@ -17,8 +20,9 @@ namespace lacquer::simulator {
 struct RunOptions {
     std::uint64_t samples = 1'000'000;
     std::uint64_t seed = 1;
-    // Called now and then with the share of walks done; false stops the run, keeping what is done.
-    std::function<bool(double)> keep_going;
+    // Called now and then with the number of walks done, by one thread at a time; false stops the
+    // run, keeping what is done.
+    std::function<bool(std::uint64_t)> keep_going;
 };
 
 // Sum and sum of squares of a quantity over walks.
@@ -45,34 +49,62 @@ struct Moments {
     }
 };
 
+// Shared by all blocks of one run.
+class RunState {
+ public:
+    explicit RunState(const RunOptions& options) : options_{options} {}
+
+    bool stopped() const { return stopped_; }
+
+    void finished(std::uint64_t walks) {
+        const std::lock_guard lock{mutex_};
+        done_ += walks;
+        if (options_.keep_going && !options_.keep_going(done_)) stopped_ = true;
+    }
+
+ private:
+    const RunOptions& options_;
+    std::mutex mutex_;
+    std::uint64_t done_ = 0;
+    std::atomic<bool> stopped_ = false;
+};
+
 // Runs `walk(random, tally)` for every walk and returns the merged tally, whose `count` is the
-// number of walks made. Tally: default constructible, merge(const Tally&), std::uint64_t count.
+// number of walks made. Tally: default constructible, merge(const Tally&), std::uint64_t count. A
+// tally that takes long to merge wants larger blocks.
 template <typename Tally, typename Walk>
-Tally run_walks(const RunOptions& options, const Walk& walk) {
-    constexpr std::uint64_t kBlock = 1 << 12;
-    constexpr std::uint64_t kWave = 256;  // blocks between two looks at keep_going
-    const std::uint64_t blocks = (options.samples + kBlock - 1) / kBlock;
-    Tally total;
-    for (std::uint64_t wave = 0; wave < blocks; wave += kWave) {
-        std::vector<Tally> tallies(std::min(kWave, blocks - wave));
-        tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t index) {
-            const std::uint64_t first = (wave + index) * kBlock;
-            const std::uint64_t last = std::min(first + kBlock, options.samples);
-            Tally& tally = tallies[index];
-            for (std::uint64_t n = first; n < last; ++n) {
+Tally run_walks(const RunOptions& options, const Walk& walk, std::uint64_t block = 1 << 12) {
+    RunState state{options};
+    // The tree of merges follows from the range alone.
+    struct Body {
+        const RunOptions& options;
+        const Walk& walk;
+        RunState& state;
+        Tally tally;
+
+        Body(const RunOptions& run_options, const Walk& one_walk, RunState& run_state)
+            : options{run_options}, walk{one_walk}, state{run_state} {}
+        Body(const Body& other, tbb::split) : Body{other.options, other.walk, other.state} {}
+
+        void operator()(const tbb::blocked_range<std::uint64_t>& walks) {
+            if (state.stopped()) return;
+            for (std::uint64_t n = walks.begin(); n < walks.end(); ++n) {
                 RandomStream random{options.seed, n};
                 walk(random, tally);
             }
-            tally.count = last - first;
-        });
-        for (const Tally& tally : tallies) {
-            total.merge(tally);
-            total.count += tally.count;
+            tally.count += walks.size();
+            state.finished(walks.size());
         }
-        const double done = static_cast<double>(total.count) / static_cast<double>(options.samples);
-        if (options.keep_going && !options.keep_going(done)) break;
-    }
-    return total;
+
+        void join(const Body& right) {
+            tally.merge(right.tally);
+            tally.count += right.tally.count;
+        }
+    };
+    Body body{options, walk, state};
+    tbb::parallel_deterministic_reduce(tbb::blocked_range<std::uint64_t>{0, options.samples, block},
+                                       body, tbb::simple_partitioner{});
+    return std::move(body.tally);
 }
 
 }  // namespace lacquer::simulator

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <complex>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace lacquer::simulator {
 
@@ -14,19 +13,31 @@ Vec3 mirror(const Vec3& direction, const Vec3& wm) {
     return direction - 2.0 * glm::dot(direction, wm) * wm;
 }
 
+double cosine_to(const Vec3& direction, const Vec3& wm) {
+    return std::clamp(-glm::dot(direction, wm), 0.0, 1.0);
+}
+
+// Both cosines to the normal of a boundary between dielectrics, below the critical angle.
+double reflectance(double cos_theta_i, double cos_theta_t, double eta) {
+    const double s = (cos_theta_i - eta * cos_theta_t) / (cos_theta_i + eta * cos_theta_t);
+    const double p = (eta * cos_theta_i - cos_theta_t) / (eta * cos_theta_i + cos_theta_t);
+    return 0.5 * (s * s + p * p);
+}
+
 FacetEvent meet_dielectric(const DielectricFacet& facet, const Vec3& direction, const Vec3& wm,
                            RandomStream& random) {
-    const double cos_i = std::min(-glm::dot(direction, wm), 1.0);
-    if (random.uniform() < dielectric_reflectance(cos_i, facet.eta))
+    const double cos_i = cosine_to(direction, wm);
+    const double eta_inverse = 1.0 / facet.eta;
+    const double cos2_t = 1.0 - (1.0 - cos_i * cos_i) * (eta_inverse * eta_inverse);
+    const double cos_t = std::sqrt(std::max(cos2_t, 0.0));
+    if (cos2_t <= 0.0 || random.uniform() < reflectance(cos_i, cos_t, facet.eta))
         return {mirror(direction, wm), Vec3{1.0}, false};
-    const double cos_t =
-        std::sqrt(std::max(0.0, 1.0 - (1.0 - cos_i * cos_i) / (facet.eta * facet.eta)));
-    const Vec3 refracted = direction / facet.eta + wm * (cos_i / facet.eta - cos_t);
+    const Vec3 refracted = direction * eta_inverse + wm * (cos_i * eta_inverse - cos_t);
     return {glm::normalize(refracted), Vec3{1.0}, true};
 }
 
 FacetEvent meet_conductor(const ConductorFacet& facet, const Vec3& direction, const Vec3& wm) {
-    const double cos_i = std::min(-glm::dot(direction, wm), 1.0);
+    const double cos_i = cosine_to(direction, wm);
     Vec3 weight{};
     for (int channel = 0; channel < 3; ++channel) {
         const auto index = static_cast<std::size_t>(channel);
@@ -37,10 +48,7 @@ FacetEvent meet_conductor(const ConductorFacet& facet, const Vec3& direction, co
 
 FacetEvent meet_diffuse(const DiffuseFacet& facet, const Vec3& wm, RandomStream& random) {
     // A point of the unit sphere about the tip of the normal is cosine-distributed about it.
-    const double z = 2.0 * random.uniform() - 1.0;
-    const double phi = 2.0 * std::numbers::pi * random.uniform();
-    const double radius = std::sqrt(1.0 - z * z);
-    const Vec3 sum = wm + Vec3{radius * std::cos(phi), radius * std::sin(phi), z};
+    const Vec3 sum = wm + sample_sphere(random);
     return {glm::normalize(sum), Vec3{facet.albedo[0], facet.albedo[1], facet.albedo[2]}, false};
 }
 
@@ -49,10 +57,7 @@ FacetEvent meet_diffuse(const DiffuseFacet& facet, const Vec3& wm, RandomStream&
 double dielectric_reflectance(double cos_theta_i, double eta) {
     const double sin2_theta_t = (1.0 - cos_theta_i * cos_theta_i) / (eta * eta);
     if (sin2_theta_t >= 1.0) return 1.0;
-    const double cos_theta_t = std::sqrt(1.0 - sin2_theta_t);
-    const double s = (cos_theta_i - eta * cos_theta_t) / (cos_theta_i + eta * cos_theta_t);
-    const double p = (eta * cos_theta_i - cos_theta_t) / (eta * cos_theta_i + cos_theta_t);
-    return 0.5 * (s * s + p * p);
+    return reflectance(cos_theta_i, std::sqrt(1.0 - sin2_theta_t), eta);
 }
 
 double conductor_reflectance(double cos_theta_i, double eta, double kappa) {

@@ -1,12 +1,11 @@
 // What one facet does to a ray that meets it.
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <variant>
 
 #include "lacquer/material.h"
-#include "simulator/facets.h"
 #include "simulator/random.h"
+#include "simulator/sampling.h"
 
 namespace lacquer::simulator {
 
@@ -15,12 +14,12 @@ struct DielectricFacet {
     double eta = 1.5;
 };
 
-// Reflects; index eta + i kappa per channel, relative to the medium above.
+// Reflects or absorbs; index eta + i kappa per channel, relative to the medium above.
 struct ConductorFacet {
     Rgb eta{}, kappa{};
 };
 
-// Reflects diffusely about its own normal.
+// Reflects diffusely or absorbs, about its own normal.
 struct DiffuseFacet {
     Rgb albedo{};
 };

@@ -11,98 +11,106 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// A facet exactly edge-on or a direction exactly along the plane: 0 / 0 without it.
-constexpr double kTiny = 1e-300;
+// Squared cosine of a direction exactly along the plane, whose Lambda would be infinite.
+constexpr double kMinSquaredCosine = 1e-300;
 
-// Smith's Lambda above the surface as a function of a = cot(theta) / alpha(phi).
-double lambda_above(Ndf ndf, double a) {
-    if (ndf == Ndf::ggx) return 0.5 * (std::sqrt(1.0 + 1.0 / (a * a)) - 1.0);
-    if (a > 6.0) return 0.0;  // below 1e-17
-    return std::exp(-a * a) / (2.0 * a * std::sqrt(kPi)) - 0.5 * std::erfc(a);
-}
+// Beckmann's Lambda is below 1e-17 for directions steeper than this cot(theta) / alpha.
+constexpr double kSteep = 6.0;
 
-// The direction in the space where the population is isotropic with alpha 1.
+// The direction, not normalised, in the space where the population is isotropic with alpha 1.
 Vec3 stretch(const Facets& facets, const Vec3& w) {
-    return glm::normalize(Vec3{facets.alpha_x * w.x, facets.alpha_y * w.y, w.z});
+    return {facets.alpha_x * w.x, facets.alpha_y * w.y, w.z};
 }
 
-// GGX facets of alpha 1 are the upper half of a sphere: the point that a ray from w meets projects
-// uniformly onto the disk across w, cut by the equator.
-// Based on: Heitz 2018, Sampling the GGX Distribution of Visible Normals
+// GGX facets of alpha 1 are the upper half of a sphere, and those visible from w have normals
+// halfway between w and a uniform direction of the cap of z > -w.z. All lengths here are in units
+// of 1 / |w|, which saves normalising w.
+// Based on: Dupuy and Benyoub 2023, Sampling Visible GGX Normals with Spherical Caps
 Vec3 sample_ggx(const Vec3& w, RandomStream& random) {
-    const double horizontal = w.x * w.x + w.y * w.y;
-    const Vec3 across =
-        horizontal > kTiny ? Vec3{-w.y, w.x, 0.0} / std::sqrt(horizontal) : Vec3{1.0, 0.0, 0.0};
-    const Vec3 upward = glm::cross(w, across);
-    const double radius = std::sqrt(random.uniform());
-    const double phi = 2.0 * kPi * random.uniform();
-    const double x = radius * std::cos(phi);
-    const double chord = std::sqrt(std::max(0.0, 1.0 - x * x));
-    // The visible part of the disk at x: a chord whose lower half is squeezed by the cosine.
-    const double share = 0.5 * (1.0 + w.z);
-    const double y = (1.0 - share) * chord + share * radius * std::sin(phi);
-    const double z = std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
-    return across * x + upward * y + w * z;
+    const double length = glm::length(w);
+    const DiskPoint point = sample_disk(random);
+    const double cap = length + w.z;
+    const double normal_z = (1.0 - point.squared_radius) * cap;
+    const double scale = std::sqrt(cap * (length + normal_z - w.z));
+    return {point.x * scale + w.x, point.y * scale + w.y, normal_z};
 }
 
-// Slope s along w of a Beckmann facet of alpha 1: density proportional to
-// max(0, cos - s sin) exp(-s^2). Rejection: from above, out of cos exp(-s^2) + sin |s| exp(-s^2),
-// accepting at least half; from below, out of the tail of s exp(-s^2).
-double sample_beckmann_slope(double cosine, double sine, RandomStream& random) {
+// Slope of a Beckmann facet of alpha 1, along the direction it is seen from and across it.
+struct Slope {
+    double along, across;
+};
+
+// Density proportional to max(0, cosine - sine * along) exp(-along^2 - across^2). Rejection: from
+// above, out of (cosine + sine |along|) exp(-along^2 - across^2), accepting at least half; from
+// below, out of the tail of |along| exp(-along^2).
+Slope sample_beckmann_slope(double cosine, double sine, RandomStream& random) {
     if (cosine >= 0.0) {
         const double bell = cosine * std::sqrt(kPi);
         for (;;) {
-            double slope = 0.0;
+            BellPair slope = sample_bell_pair(random);
             const double pick = random.uniform() * (bell + sine);
-            const double radius = std::sqrt(-std::log(random.uniform()));
-            if (pick < bell) {
-                slope = radius * std::cos(2.0 * kPi * random.uniform());
-            } else {
-                slope = random.uniform() < 0.5 ? radius : -radius;
-            }
-            const double wanted = cosine - slope * sine;
-            const double proposed = cosine + std::abs(slope) * sine;
-            if (random.uniform() * proposed < wanted) return slope;
+            if (pick >= bell)
+                slope.x = std::copysign(std::sqrt(-std::log(random.uniform())), slope.x);
+            const double wanted = cosine - slope.x * sine;
+            const double proposed = cosine + std::abs(slope.x) * sine;
+            if (random.uniform() * proposed < wanted) return {slope.x, slope.y};
         }
     }
     const double start = -cosine / sine;
     for (;;) {
         const double depth = std::sqrt(start * start - std::log(random.uniform()));
-        if (random.uniform() * depth < depth - start) return -depth;
+        if (random.uniform() * depth < depth - start) return {-depth, sample_bell_pair(random).y};
     }
 }
 
 Vec3 sample_beckmann(const Vec3& w, RandomStream& random) {
     const double sine = std::sqrt(w.x * w.x + w.y * w.y);
+    const double length = glm::length(w);
     const double cos_phi = sine > 0.0 ? w.x / sine : 1.0;
     const double sin_phi = sine > 0.0 ? w.y / sine : 0.0;
-    const double along = sample_beckmann_slope(w.z, sine, random);
-    const double across =
-        std::sqrt(-std::log(random.uniform())) * std::cos(2.0 * kPi * random.uniform());
-    return {-(cos_phi * along - sin_phi * across), -(sin_phi * along + cos_phi * across), 1.0};
+    const Slope slope = sample_beckmann_slope(w.z / length, sine / length, random);
+    return {sin_phi * slope.across - cos_phi * slope.along,
+            -sin_phi * slope.along - cos_phi * slope.across, 1.0};
+}
+
+double lambda_above(Ndf ndf, double squared_tangent) {
+    if (ndf == Ndf::ggx) return 0.5 * (std::sqrt(1.0 + squared_tangent) - 1.0);
+    const double a = 1.0 / std::sqrt(squared_tangent);
+    if (a > kSteep) return 0.0;
+    return std::exp(-a * a) / (2.0 * a * std::sqrt(kPi)) - 0.5 * std::erfc(a);
 }
 
 }  // namespace
 
 double smith_lambda(const Facets& facets, const Vec3& w) {
-    const double x = facets.alpha_x * w.x;
-    const double y = facets.alpha_y * w.y;
-    const double a = std::abs(w.z) / std::sqrt(std::max(x * x + y * y, kTiny));
-    const double above = lambda_above(facets.ndf, std::max(a, 1e-150));
+    const Vec3 stretched = stretch(facets, w);
+    const double squared_sine = stretched.x * stretched.x + stretched.y * stretched.y;
+    const double above =
+        lambda_above(facets.ndf, squared_sine / std::max(w.z * w.z, kMinSquaredCosine));
     return w.z >= 0.0 ? above : -1.0 - above;
 }
 
 double projected_area(const Facets& facets, const Vec3& w) {
-    const double lambda = smith_lambda(facets, w);
-    return w.z * (1.0 + lambda);
+    return w.z * (1.0 + smith_lambda(facets, w));
+}
+
+double normal_density(const Facets& facets, const Vec3& wm) {
+    if (wm.z <= 0.0) return 0.0;
+    const double slope_x = wm.x / (facets.alpha_x * wm.z);
+    const double slope_y = wm.y / (facets.alpha_y * wm.z);
+    const double squared_slope = slope_x * slope_x + slope_y * slope_y;
+    const double fall = facets.ndf == Ndf::ggx
+                            ? 1.0 / ((1.0 + squared_slope) * (1.0 + squared_slope))
+                            : std::exp(-squared_slope);
+    const double cos2 = wm.z * wm.z;
+    return fall / (kPi * facets.alpha_x * facets.alpha_y * cos2 * cos2);
 }
 
 Vec3 sample_visible_normal(const Facets& facets, const Vec3& w, RandomStream& random) {
     const Vec3 stretched = stretch(facets, w);
     const Vec3 normal =
         facets.ndf == Ndf::ggx ? sample_ggx(stretched, random) : sample_beckmann(stretched, random);
-    return glm::normalize(
-        Vec3{facets.alpha_x * normal.x, facets.alpha_y * normal.y, std::max(normal.z, 0.0)});
+    return glm::normalize(Vec3{facets.alpha_x * normal.x, facets.alpha_y * normal.y, normal.z});
 }
 
 }  // namespace lacquer::simulator

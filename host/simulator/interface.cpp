@@ -1,7 +1,7 @@
 #include "simulator/interface.h"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace lacquer::simulator {
 
@@ -25,7 +25,7 @@ struct InterfaceTally {
 
 // Transmittance of one crossing of the medium along `direction`.
 double crossing_transmittance(double tau, const Vec3& direction) {
-    return std::pow(tau, 1.0 / std::abs(direction.z));
+    return tau == 1.0 ? 1.0 : std::pow(tau, 1.0 / std::abs(direction.z));
 }
 
 void enter(const SurfaceWalk& surface, double tau, const Vec3& direction, RandomStream& random,
@@ -40,10 +40,7 @@ void enter(const SurfaceWalk& surface, double tau, const Vec3& direction, Random
 }
 
 void leave(const SurfaceWalk& surface, double tau, RandomStream& random, InterfaceTally& tally) {
-    const double squared = random.uniform();
-    const double phi = 2.0 * std::numbers::pi * random.uniform();
-    const double radius = std::sqrt(squared);
-    const Vec3 upwards{radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1.0 - squared)};
+    const Vec3 upwards = sample_cosine(random);
     const Crossing crossing = surface.cross(upwards, random);
     if (crossing.lost) return;
     const double up = crossing_transmittance(tau, upwards);

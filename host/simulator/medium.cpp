@@ -4,13 +4,19 @@
 #include <cmath>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
+
+#include "simulator/roulette.h"
 
 namespace lacquer::simulator {
 
 namespace {
 
-constexpr double kExtinguished = 1e-9;
+// Cosine of a path along the plane of the slab: keeps its length finite.
+constexpr double kMinPathCosine = 1e-12;
+
+// Below this mean cosine the inverse of the phase function's distribution divides rounding errors
+// by so little that isotropy is closer.
+constexpr double kIsotropic = 1e-8;
 
 Vec3 to_vec3(const Rgb& rgb) {
     return {rgb[0], rgb[1], rgb[2]};
@@ -20,23 +26,38 @@ double mean(const Vec3& v) {
     return (v.x + v.y + v.z) / 3.0;
 }
 
-double largest(const Vec3& v) {
-    return std::max({v.x, v.y, v.z});
+// Length of the path from `height` above the lower plane to the plane that w points to.
+double path_to_plane(const Slab& slab, const Vec3& w, double height) {
+    const double vertical = w.z < 0.0 ? height : slab.thickness - height;
+    return vertical / std::max(std::abs(w.z), kMinPathCosine);
 }
 
-// Keeps the expectation of what a faint walk carries while ending most of them.
-bool roulette(Vec3& weight, RandomStream& random) {
-    const double survival = std::min(1.0, largest(weight) * 10.0);
-    if (random.uniform() >= survival) return false;
-    weight /= survival;
-    return true;
+// One walk serves three channels: the distance to the next event is drawn from the extinction of
+// one of them at random, and the balance heuristic over all three keeps every weight bounded.
+void scatter_through(const Slab& slab, Passage& passage, RandomStream& random) {
+    const Vec3 sigma_t = slab.sigma_a + slab.sigma_s;
+    Vec3& w = passage.direction;
+    double height = w.z < 0.0 ? slab.thickness : 0.0;
+    for (;;) {
+        const double to_plane = path_to_plane(slab, w, height);
+        const int channel = std::min(static_cast<int>(3.0 * random.uniform()), 2);
+        const double distance = -std::log(random.uniform()) / sigma_t[channel];
+        if (distance >= to_plane) {
+            const Vec3 through = glm::exp(-sigma_t * to_plane);
+            passage.weight *= through / mean(through);
+            passage.down = w.z < 0.0;
+            return;
+        }
+        const Vec3 through = glm::exp(-sigma_t * distance);
+        passage.weight *= slab.sigma_s * through / mean(sigma_t * through);
+        height = std::clamp(height + w.z * distance, 0.0, slab.thickness);
+        w = sample_phase(w, slab.g, random);
+        passage.lost = !survives(passage.weight, random);
+        if (passage.lost) return;
+    }
 }
 
 }  // namespace
-
-bool Slab::clear() const {
-    return sigma_a == Vec3{0.0} && sigma_s == Vec3{0.0} && !opaque[0] && !opaque[1] && !opaque[2];
-}
 
 Slab make_slab(const Medium& medium) {
     Slab slab;
@@ -57,54 +78,27 @@ Slab make_slab(const Medium& medium) {
 }
 
 Vec3 sample_phase(const Vec3& direction, double g, RandomStream& random) {
-    double cosine = 2.0 * random.uniform() - 1.0;
-    if (std::abs(g) > 1e-3) {  // below, the inverse loses digits and the phase is isotropic
-        const double ratio = (1.0 - g * g) / (1.0 + g * cosine);
-        cosine = std::clamp((1.0 + g * g - ratio * ratio) / (2.0 * g), -1.0, 1.0);
-    }
-    const double sine = std::sqrt(1.0 - cosine * cosine);
-    const double phi = 2.0 * std::numbers::pi * random.uniform();
+    if (std::abs(g) < kIsotropic) return sample_sphere(random);
+    const DiskPoint point = sample_disk(random);
+    const double ratio = (1.0 - g * g) / (1.0 + g - 2.0 * g * point.squared_radius);
+    const double cosine = std::clamp((1.0 + g * g - ratio * ratio) / (2.0 * g), -1.0, 1.0);
+    const double scale = std::sqrt((1.0 - cosine * cosine) / point.squared_radius);
     const Vec3 helper = std::abs(direction.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
     const Vec3 x = glm::normalize(glm::cross(helper, direction));
     const Vec3 y = glm::cross(direction, x);
-    return glm::normalize(sine * std::cos(phi) * x + sine * std::sin(phi) * y + cosine * direction);
+    return glm::normalize(scale * point.x * x + scale * point.y * y + cosine * direction);
 }
 
 Passage pass_slab(const Slab& slab, const Vec3& direction, RandomStream& random) {
     Passage passage{direction, Vec3{1.0}, direction.z < 0.0, false};
     for (int channel = 0; channel < 3; ++channel)
         if (slab.opaque[channel]) passage.weight[channel] = 0.0;
-    if (!slab.scatters()) {
-        passage.weight *= glm::exp(-slab.sigma_a * (slab.thickness / std::abs(direction.z)));
-        passage.lost = largest(passage.weight) < kExtinguished;
-        return passage;
+    if (slab.scatters()) {
+        scatter_through(slab, passage, random);
+    } else {
+        const double height = direction.z < 0.0 ? slab.thickness : 0.0;
+        passage.weight *= glm::exp(-slab.sigma_a * path_to_plane(slab, direction, height));
     }
-    // One walk serves three channels: the distance is drawn from the extinction of one of them at
-    // random, and the balance heuristic over all three keeps every weight bounded.
-    const Vec3 sigma_t = slab.sigma_a + slab.sigma_s;
-    double height = direction.z < 0.0 ? slab.thickness : 0.0;
-    Vec3 w = direction;
-    for (;;) {
-        const double to_plane = (w.z < 0.0 ? -height : slab.thickness - height) / w.z;
-        const int channel = std::min(static_cast<int>(3.0 * random.uniform()), 2);
-        const double rate = sigma_t[channel];
-        const double distance = rate > 0.0 ? -std::log(random.uniform()) / rate : HUGE_VAL;
-        if (distance >= to_plane) {
-            const Vec3 through = glm::exp(-sigma_t * to_plane);
-            passage.weight *= through / mean(through);
-            passage.down = w.z < 0.0;
-            break;
-        }
-        const Vec3 through = glm::exp(-sigma_t * distance);
-        passage.weight *= slab.sigma_s * through / mean(sigma_t * through);
-        height += w.z * distance;
-        w = sample_phase(w, slab.g, random);
-        if (largest(passage.weight) < 0.1 && !roulette(passage.weight, random)) {
-            passage.lost = true;
-            break;
-        }
-    }
-    passage.direction = w;
     return passage;
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "lacquer/material.h"
-#include "simulator/facets.h"
 #include "simulator/random.h"
+#include "simulator/sampling.h"
 
 namespace lacquer::simulator {
 
@@ -16,8 +16,7 @@ struct Slab {
     double thickness = 1.0;
     bool opaque[3] = {false, false, false};  // tau 0: nothing of that channel gets across
 
-    bool clear() const;
-    bool scatters() const { return sigma_s != Vec3{0.0}; }
+    bool scatters() const { return sigma_s != Vec3{0.0} && thickness > 0.0; }
 };
 
 Slab make_slab(const Medium& medium);
@@ -27,9 +26,10 @@ struct Passage {
     Vec3 direction;
     Vec3 weight{1.0};
     bool down = false;  // left through the lower plane
-    bool lost = false;  // absorbed
+    bool lost = false;  // absorbed within
 };
 
+// Follows a ray that enters along `direction` through the plane it comes from.
 Passage pass_slab(const Slab& slab, const Vec3& direction, RandomStream& random);
 
 // Direction after scattering by Henyey and Greenstein's phase function of mean cosine g.

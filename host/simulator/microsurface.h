@@ -1,29 +1,17 @@
-// A rough surface as a random walk meets it: a half space whose opacity depends on height.
+// A rough surface as a random walk of light meets it.
 // Based on: Heitz et al. 2016, Multiple-Scattering Microfacet BSDFs with the Smith Model;
 //           d'Eon et al. 2023, microsurfaces with non-uniform statistics
-//
-// Height is measured by u = C(h) in (0, 1], the fraction of the surface below it: uniform facets
-// then have a constant optical thickness Lambda(w) per unit of log u.
 #pragma once
 
 #include <vector>
 
-#include "simulator/facet_material.h"
-#include "simulator/facets.h"
-#include "simulator/random.h"
+#include "simulator/surface_side.h"
 
 namespace lacquer::simulator {
 
-struct FacetStratum {
-    double weight = 1.0;  // of the surface's area; all strata together 1
-    Facets facets;
-    FacetMaterial material;
-};
-
 struct Surface {
-    // asymmetric: strata from the top down, each its share of u; symmetric: mixed at every height.
     Blend::Operator op = Blend::Operator::asymmetric;
-    std::vector<FacetStratum> strata;
+    std::vector<FacetStratum> strata;  // asymmetric: from the top down
 };
 
 // A walk ends after this many facets; whatever it still carries is lost. High enough that a
@@ -36,40 +24,75 @@ struct Crossing {
     Vec3 weight{1.0};    // what is left of the light, per channel
     int order = 0;       // facets met
     bool below = false;  // left to the lower side
-    bool lost = false;   // met `max_order` facets or was extinguished
+    bool lost = false;   // met more than the wanted facets, or was absorbed
 };
 
-// Walks a ray that travels along `direction` (downwards from above, upwards from below) through the
-// surface until it leaves to either side. Throws Error for a surface without strata, or one that
-// mixes dielectric facets with others or with a different eta: no such surface has two sides.
+// A ray within a walk: in the frame of the side where it is, where it starts downwards at the top
+// and leaves upwards.
+struct SurfaceRay {
+    Vec3 direction;
+    double z = 0.0;  // see surface_side.h
+    bool below = false;
+};
+
 class SurfaceWalk {
  public:
-    explicit SurfaceWalk(Surface surface);
+    // Throws Error for a surface without strata, or one that mixes dielectric facets with others or
+    // with a different eta: no such surface has two sides.
+    explicit SurfaceWalk(const Surface& surface);
 
+    // Walks a ray that travels along `direction` (downwards from above, upwards from below) through
+    // the surface until it leaves to either side.
     Crossing cross(const Vec3& direction, RandomStream& random, int max_order = kAllOrders) const;
 
+    // The same; `on_facet(ray, stratum, weight)` is told of each facet met, before the facet turns
+    // the ray.
+    template <typename OnFacet>
+    Crossing cross(const Vec3& direction, RandomStream& random, int max_order,
+                   const OnFacet& on_facet) const;
+
+    // The surface seen from above or, turned over, from below.
+    const SurfaceSide& side(bool below) const { return below ? below_ : above_; }
+
  private:
-    // The same surface seen from above or, turned over, from below.
-    struct Side {
-        std::vector<FacetStratum> strata;
-        std::vector<double> floor;  // u of the lower boundary of each stratum
-    };
-
-    const Side& side(bool below) const { return below ? below_ : above_; }
-    Crossing cross_smooth(const Vec3& direction, RandomStream& random) const;
-
-    // Flies from `u` along `direction` in the frame of `side`: the stratum of the facet met, or
-    // nullptr when the ray leaves upwards. Updates u.
-    const FacetStratum* fly(const Side& side, const Vec3& direction, double& u,
-                            RandomStream& random) const;
-    const FacetStratum* fly_layers(const Side& side, const Vec3& direction, double& u,
-                                   RandomStream& random) const;
-    const FacetStratum* fly_mixture(const Side& side, const Vec3& direction, double& u,
-                                    RandomStream& random) const;
-
-    Blend::Operator op_;
-    Side above_, below_;
-    bool smooth_ = false;
+    SurfaceSide above_, below_;
+    bool index_matched_;
 };
+
+// From the frame of one side to that of the other. The populations are even in slope, so that
+// mirroring serves as well as turning over.
+inline Vec3 mirrored(const Vec3& w) {
+    return {w.x, w.y, -w.z};
+}
+
+// Dielectric facets of eta 1 do nothing, however many a grazing ray meets.
+inline Crossing unchanged(const Vec3& direction) {
+    return {direction, Vec3{1.0}, 0, direction.z < 0.0, false};
+}
+
+// A ray that arrives at the top of the side it comes from.
+SurfaceRay arriving(const Vec3& direction);
+
+// Turns a ray by a facet, which may send it to the other side. False: its light is all absorbed.
+bool turn(SurfaceRay& ray, Vec3& weight, const FacetStratum& stratum, RandomStream& random);
+
+template <typename OnFacet>
+Crossing SurfaceWalk::cross(const Vec3& direction, RandomStream& random, int max_order,
+                            const OnFacet& on_facet) const {
+    if (index_matched_) return unchanged(direction);
+    SurfaceRay ray = arriving(direction);
+    Crossing crossing;
+    while (const FacetStratum* stratum = side(ray.below).fly(ray.direction, ray.z, random)) {
+        crossing.lost = crossing.order == max_order;
+        if (crossing.lost) break;
+        on_facet(ray, *stratum, crossing.weight);
+        ++crossing.order;
+        crossing.lost = !turn(ray, crossing.weight, *stratum, random);
+        if (crossing.lost) break;
+    }
+    crossing.below = ray.below;
+    crossing.direction = ray.below ? mirrored(ray.direction) : ray.direction;
+    return crossing;
+}
 
 }  // namespace lacquer::simulator

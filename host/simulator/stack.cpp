@@ -1,18 +1,10 @@
 #include "simulator/stack.h"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-
-#include "core/error.h"
+#include "simulator/roulette.h"
 
 namespace lacquer::simulator {
 
 namespace {
-
-// Walks this faint are ended at random, keeping their expectation.
-constexpr double kFaint = 1e-3;
 
 Facets to_facets(const Microsurface& microsurface) {
     return {microsurface.ndf, microsurface.alpha[0], microsurface.alpha[1]};
@@ -58,21 +50,6 @@ Surface diffuse_surface(const DiffuseFacetsBase& base, double ior_above) {
                                   divided(stratum.kappa.value_or(Rgb{}), ior_above)};
         return DiffuseFacet{stratum.albedo.value_or(base.albedo)};
     });
-}
-
-Vec3 sample_cosine(RandomStream& random) {
-    const double squared = random.uniform();
-    const double phi = 2.0 * std::numbers::pi * random.uniform();
-    const double radius = std::sqrt(squared);
-    return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1.0 - squared)};
-}
-
-bool survives(Vec3& weight, RandomStream& random) {
-    const double strongest = std::max({weight.x, weight.y, weight.z});
-    if (strongest >= kFaint) return true;
-    if (random.uniform() * kFaint >= strongest) return false;
-    weight *= kFaint / strongest;
-    return true;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace lacquer::simulator {
 namespace {
 
-constexpr std::uint64_t kWalks = 400'000;
+constexpr std::uint64_t kWalks = 200'000;
 constexpr double kSuiteSignificance = 0.01;
 constexpr double kPrintedDigits = 1e-6;  // of the expected values
 
