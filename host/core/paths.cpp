@@ -42,6 +42,11 @@ std::optional<fs::path> find_node() {
     return std::nullopt;
 }
 
+// Where bin/ and share/ stand.
+fs::path prefix_folder() {
+    return fs::read_symlink("/proc/self/exe").parent_path().parent_path();
+}
+
 }  // namespace
 
 fs::path share_folder() {
@@ -50,8 +55,7 @@ fs::path share_folder() {
             throw Error{fmt::format("LACQUER_SHARE is '{}', which is not a folder", *chosen)};
         return *chosen;
     }
-    const fs::path program = fs::read_symlink("/proc/self/exe");
-    const fs::path folder = program.parent_path().parent_path() / "share" / "lacquer";
+    const fs::path folder = prefix_folder() / "share" / "lacquer";
     if (!fs::is_directory(folder))
         throw Error{
             fmt::format("the folder '{}' is missing: set LACQUER_SHARE to where shaders/, "
@@ -64,6 +68,10 @@ fs::path share_file(const fs::path& relative) {
     const fs::path file = share_folder() / relative;
     if (!fs::exists(file)) throw Error{fmt::format("the file '{}' is missing", file.string())};
     return file;
+}
+
+fs::path module_folder() {
+    return prefix_folder() / LACQUER_MODULE_FOLDER;
 }
 
 std::optional<fs::path> node_program() {

@@ -14,6 +14,9 @@ std::filesystem::path share_folder();
 // A file below share_folder(); throws Error naming it where it is missing.
 std::filesystem::path share_file(const std::filesystem::path& relative);
 
+// The folder of modules that are loaded at run time, beside the running program's folder.
+std::filesystem::path module_folder();
+
 // A Node.js of at least kMinNodeMajor: $LACQUER_NODE alone where set, else the one found when the
 // project was configured or the one on the PATH; nothing where there is none new enough.
 std::optional<std::filesystem::path> node_program();

@@ -1,0 +1,2 @@
+// Generated Metal includes this header and uses nothing of it.
+#pragma once
