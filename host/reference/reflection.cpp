@@ -56,8 +56,9 @@ double reflection_lobe(const Facets& facets, const glm::dvec3& wi, const glm::dv
 }
 
 double reflection_pdf(const Facets& facets, const glm::dvec3& wi, const glm::dvec3& wo) {
-    const glm::dvec3 wm = halfway(wi, wo);
-    return visible_density(facets, wo, wm) / (4.0 * glm::dot(wo, wm));
+    // D_wo(wm) / (4 dot(wo, wm)), where the dot product cancels; computed, it is negative for some
+    // nearly opposite directions that are unit only to the precision of a float.
+    return masking(facets, wo) * density(facets, halfway(wi, wo)) / (4.0 * wo.z);
 }
 
 glm::dvec3 reflection_sample(const Facets& facets, const glm::dvec3& wo, const glm::dvec2& u) {

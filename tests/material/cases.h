@@ -197,6 +197,11 @@ inline std::vector<MaterialCase> wrong_blends() {
          conductor(R"({"operator": "symmetric", "strata": [
             {"alpha": 0}, {"alpha": 1}]})"),
          {"/base/conductor/blend/strata/0: the key 'weight' is missing"}},
+        {"weight_of_last_only",
+         conductor(R"({"operator": "symmetric", "strata": [
+            {"alpha": 0}, {"weight": 0.5, "alpha": 1}]})"),
+         {"/base/conductor/blend/strata/1/weight: the last stratum has no weight of its own"},
+         false},
         {"weight_one",
          conductor(R"({"operator": "symmetric", "strata": [
             {"weight": 1, "alpha": 0}, {"alpha": 1}]})"),

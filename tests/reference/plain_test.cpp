@@ -303,6 +303,23 @@ TEST(Plain, SamplesCarryTheirPdfAndWeight) {
     }
 }
 
+// Jacobian of the mirror: D_wo(wm) / (4 dot(wo, wm)) (Walter et al. 2007, Eqs. 14 and 24), also
+// where rounding to float makes nearly opposite directions longer or shorter than 1.
+TEST(Plain, PdfFollowsTheVisibleNormals) {
+    const Facets facets{Ndf::ggx, 0.2, 0.4};
+    const glm::dvec3 wo = test::direction(0.3, 0.5);
+    const glm::dvec3 wi = test::direction(0.6, 2.5);
+    const glm::dvec3 wm = halfway(wi, wo);
+    EXPECT_NEAR(reflection_pdf(facets, wi, wo),
+                visible_density(facets, wo, wm) / (4 * glm::dot(wo, wm)), 1e-12);
+    const glm::dvec3 grazing = test::direction(1e-4, 0.5);
+    const glm::dvec3 mirrored{-grazing.x, -grazing.y, grazing.z};
+    const double exact = reflection_pdf(facets, mirrored, grazing);
+    constexpr double kFloatRounding = 6e-8;
+    for (const double scale : {1 - kFloatRounding, 1 + kFloatRounding})
+        EXPECT_NEAR(reflection_pdf(facets, mirrored, grazing * scale), exact, 1e-2 * exact);
+}
+
 // At normal incidence a glaze over clay reflects 0.04 / (0.04 + 1/3), which exceeds the least
 // choice.
 TEST(Plain, ChoosesTheCoatAsDocumented) {
