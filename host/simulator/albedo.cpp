@@ -6,52 +6,31 @@ namespace lacquer::simulator {
 
 namespace {
 
-using RgbMoments = std::array<Moments, 3>;
-
-void add(RgbMoments& moments, const Vec3& weight) {
-    for (int channel = 0; channel < 3; ++channel)
-        moments[static_cast<std::size_t>(channel)].add(weight[channel]);
-}
-
 struct AlbedoTally {
     RgbMoments direct, base, transmitted, total;
     std::array<RgbMoments, 3> orders;
     std::uint64_t count = 0;
 
     void merge(const AlbedoTally& other) {
-        const auto merge_rgb = [](RgbMoments& mine, const RgbMoments& others) {
-            for (std::size_t channel = 0; channel < 3; ++channel)
-                mine[channel].merge(others[channel]);
-        };
-        merge_rgb(direct, other.direct);
-        merge_rgb(base, other.base);
-        merge_rgb(transmitted, other.transmitted);
-        merge_rgb(total, other.total);
+        direct.merge(other.direct);
+        base.merge(other.base);
+        transmitted.merge(other.transmitted);
+        total.merge(other.total);
         for (std::size_t order = 0; order < orders.size(); ++order)
-            merge_rgb(orders[order], other.orders[order]);
+            orders[order].merge(other.orders[order]);
     }
 };
-
-RgbEstimate estimate(const RgbMoments& moments, std::uint64_t count) {
-    RgbEstimate result;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        const auto walks = static_cast<double>(count);
-        result.mean[channel] = moments[channel].mean(walks);
-        result.standard_error[channel] = moments[channel].standard_error(walks);
-    }
-    return result;
-}
 
 void record(const Exit& exit, AlbedoTally& tally) {
     if (exit.fate == Fate::lost) return;
     if (exit.fate == Fate::transmitted) {
-        add(tally.transmitted, exit.weight);
+        tally.transmitted.add(exit.weight);
         return;
     }
-    add(exit.fate == Fate::base ? tally.base : tally.direct, exit.weight);
-    add(tally.total, exit.weight);
+    (exit.fate == Fate::base ? tally.base : tally.direct).add(exit.weight);
+    tally.total.add(exit.weight);
     if (exit.order >= 1 && exit.order <= 3)
-        add(tally.orders[static_cast<std::size_t>(exit.order - 1)], exit.weight);
+        tally.orders[static_cast<std::size_t>(exit.order - 1)].add(exit.weight);
 }
 
 }  // namespace
@@ -62,14 +41,15 @@ AlbedoEstimate estimate_albedo(const StackWalk& stack, double cos_theta_o,
     const auto tally = run_walks<AlbedoTally>(options, [&](RandomStream& random, AlbedoTally& sum) {
         record(stack.walk(wo, random), sum);
     });
+    const auto count = static_cast<double>(tally.count);
     AlbedoEstimate result;
     result.samples = tally.count;
-    result.direct = estimate(tally.direct, tally.count);
-    result.base = estimate(tally.base, tally.count);
-    result.transmitted = estimate(tally.transmitted, tally.count);
-    result.total = estimate(tally.total, tally.count);
+    result.direct = tally.direct.estimate(count);
+    result.base = tally.base.estimate(count);
+    result.transmitted = tally.transmitted.estimate(count);
+    result.total = tally.total.estimate(count);
     for (std::size_t order = 0; order < 3; ++order)
-        result.orders[order] = estimate(tally.orders[order], tally.count);
+        result.orders[order] = tally.orders[order].estimate(count);
     return result;
 }
 

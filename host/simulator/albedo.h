@@ -4,15 +4,10 @@
 #include <array>
 #include <cstdint>
 
-#include "simulator/estimator.h"
+#include "simulator/rgb_estimate.h"
 #include "simulator/stack.h"
 
 namespace lacquer::simulator {
-
-struct RgbEstimate {
-    Rgb mean{};
-    Rgb standard_error{};
-};
 
 struct AlbedoEstimate {
     RgbEstimate direct, base, transmitted, total;  // total = direct + base, reflected in all
@@ -20,7 +15,7 @@ struct AlbedoEstimate {
     std::uint64_t samples = 0;                     // walks made; fewer than asked when stopped
 };
 
-// Fraction of light that a material sends to the direction of cosine `cos_theta_o` (in (0, 1], in
+// Fraction of light that a material sends to the direction of cosine `cos_theta_o` (in [0, 1], in
 // the plane of x) from all directions, or by reciprocity where light arriving from there goes.
 AlbedoEstimate estimate_albedo(const StackWalk& stack, double cos_theta_o,
                                const RunOptions& options);

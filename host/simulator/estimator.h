@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <type_traits>
 #include <utility>
 
 #include "simulator/random.h"
@@ -69,9 +70,10 @@ class RunState {
     std::atomic<bool> stopped_ = false;
 };
 
-// Runs `walk(random, tally)` for every walk and returns the merged tally, whose `count` is the
-// number of walks made. Tally: default constructible, merge(const Tally&), std::uint64_t count. A
-// tally that takes long to merge wants larger blocks.
+// Runs `walk(random, tally)`, or `walk(random, tally, n)` for walk number n, for every walk and
+// returns the merged tally, whose `count` is the number of walks made. Tally: default
+// constructible, merge(const Tally&), std::uint64_t count. A tally that takes long to merge wants
+// larger blocks.
 template <typename Tally, typename Walk>
 Tally run_walks(const RunOptions& options, const Walk& walk, std::uint64_t block = 1 << 12) {
     RunState state{options};
@@ -90,7 +92,11 @@ Tally run_walks(const RunOptions& options, const Walk& walk, std::uint64_t block
             if (state.stopped()) return;
             for (std::uint64_t n = walks.begin(); n < walks.end(); ++n) {
                 RandomStream random{options.seed, n};
-                walk(random, tally);
+                if constexpr (std::is_invocable_v<const Walk&, RandomStream&, Tally&,
+                                                  std::uint64_t>)
+                    walk(random, tally, n);
+                else
+                    walk(random, tally);
             }
             tally.count += walks.size();
             state.finished(walks.size());

@@ -37,13 +37,7 @@ FacetEvent meet_dielectric(const DielectricFacet& facet, const Vec3& direction, 
 }
 
 FacetEvent meet_conductor(const ConductorFacet& facet, const Vec3& direction, const Vec3& wm) {
-    const double cos_i = cosine_to(direction, wm);
-    Vec3 weight{};
-    for (int channel = 0; channel < 3; ++channel) {
-        const auto index = static_cast<std::size_t>(channel);
-        weight[channel] = conductor_reflectance(cos_i, facet.eta[index], facet.kappa[index]);
-    }
-    return {mirror(direction, wm), weight, false};
+    return {mirror(direction, wm), conductor_reflectance(cosine_to(direction, wm), facet), false};
 }
 
 FacetEvent meet_diffuse(const DiffuseFacet& facet, const Vec3& wm, RandomStream& random) {
@@ -69,6 +63,16 @@ double conductor_reflectance(double cos_theta_i, double eta, double kappa) {
     const Complex s = (cos_theta_i - index * cos_theta_t) / (cos_theta_i + index * cos_theta_t);
     const Complex p = (index * cos_theta_i - cos_theta_t) / (index * cos_theta_i + cos_theta_t);
     return 0.5 * (std::norm(s) + std::norm(p));
+}
+
+Vec3 conductor_reflectance(double cos_theta_i, const ConductorFacet& facet) {
+    Vec3 reflectance;
+    for (int channel = 0; channel < 3; ++channel) {
+        const auto index = static_cast<std::size_t>(channel);
+        reflectance[channel] =
+            conductor_reflectance(cos_theta_i, facet.eta[index], facet.kappa[index]);
+    }
+    return reflectance;
 }
 
 FacetEvent meet_facet(const FacetMaterial& material, const Vec3& direction, const Vec3& wm,

@@ -33,6 +33,9 @@ double dielectric_reflectance(double cos_theta_i, double eta);
 // Fresnel reflectance of a smooth conductor, cos_theta_i in [0, 1].
 double conductor_reflectance(double cos_theta_i, double eta, double kappa);
 
+// The same per channel.
+Vec3 conductor_reflectance(double cos_theta_i, const ConductorFacet& facet);
+
 // Where a ray goes after a facet. `direction` is where it travels; `weight` multiplies what it
 // carries; `refracted` when it is on the other side of the facet now.
 struct FacetEvent {

@@ -75,6 +75,14 @@ StackWalk::StackWalk(const Material& material, StackOptions options)
     }
 }
 
+const SurfaceWalk* StackWalk::only_surface() const {
+    if (levels_.empty() && rough_base_) return &*rough_base_;
+    const bool bare = !rough_base_ && !lambertian_;
+    if (levels_.size() == 1 && bare && !levels_.front().below.scatters())
+        return &levels_.front().surface;
+    return nullptr;
+}
+
 Exit StackWalk::walk(const Vec3& wo, RandomStream& random) const {
     return run(0, -wo, random);
 }

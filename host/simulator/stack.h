@@ -45,6 +45,12 @@ class StackWalk {
     // below the surface.
     Exit walk_from_below(const Vec3& w, RandomStream& random) const;
 
+    // The surface that alone sends light back, where there is one: a bare base, or one interface
+    // over nothing. nullptr for a Lambertian base and for anything with several parts.
+    const SurfaceWalk* only_surface() const;
+
+    int orders_per_crossing() const { return orders_per_crossing_; }
+
  private:
     struct Level {
         SurfaceWalk surface;
