@@ -50,6 +50,7 @@ std::unique_ptr<WebgpuProcess> start_wgpu() {
     ScopedEnvironment environment;
     vulkan::show_default_driver(environment);
     environment.set("DENO_NO_UPDATE_CHECK", "1");
+    environment.set("DENO_WEBGPU_BACKEND", "vulkan");  // or it would make do with OpenGL
     const WebgpuProgram program{
         deno,
         {"run", "--unstable-webgpu", "--no-config", "--no-lock", "--no-remote", "--no-npm",

@@ -49,12 +49,12 @@ vk::raii::Context load_vulkan() {
     }
 }
 
-// Why the loader found no driver that works, and what to do.
-Unavailable no_driver() {
+// Why the loader has no driver that works, and what to do.
+Unavailable no_driver(std::string_view failure) {
     if (const auto choice = users_driver_choice())
-        return {fmt::format("no Vulkan driver found ({})", *choice),
+        return {fmt::format("{} ({})", failure, *choice),
                 fmt::format("correct or unset {}", choice->substr(0, choice->find('=')))};
-    return {"no Vulkan driver found", "apt-get install mesa-vulkan-drivers"};
+    return {std::string{failure}, "apt-get install mesa-vulkan-drivers"};
 }
 
 bool matches(const std::string& wanted, std::size_t index, const std::string& name) {
@@ -99,10 +99,9 @@ Instance create_instance(const DeviceOptions& options, std::vector<const char*> 
         instance.handle = {instance.context, info};
         if (options.validation) instance.messenger = {instance.handle, messenger};
     } catch (const vk::IncompatibleDriverError&) {
-        throw no_driver();
+        throw no_driver("no Vulkan driver found");
     } catch (const vk::SystemError& error) {
-        throw Unavailable{fmt::format("Vulkan does not start: {}", error.what()),
-                          "check the installed drivers with vulkaninfo"};
+        throw no_driver(fmt::format("Vulkan does not start: {}", error.what()));
     }
     return instance;
 }
@@ -120,7 +119,7 @@ vk::raii::PhysicalDevice choose_device(const vk::raii::Instance& instance,
         if (reason) found += fmt::format(" ({})", *reason);
         ++index;
     }
-    if (devices.empty()) throw no_driver();
+    if (devices.empty()) throw no_driver("no Vulkan driver found");
     if (wanted.empty())
         throw Unavailable{fmt::format("no Vulkan device serves; found {}", found),
                           "apt-get install mesa-vulkan-drivers"};

@@ -1,4 +1,4 @@
-// Every backend that runs here computes what the shader source computes in double.
+// Every backend that runs here computes what the reference computes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,8 +9,6 @@
 
 namespace lacquer::test {
 namespace {
-
-using Rows = std::vector<glm::dvec4>;
 
 // Float has 24 bits: a formula of a hundred operations keeps about 5 digits in the worst place and
 // nearly 7 in the middle. Issue-wide figures, also those of `lacquer compare`.
@@ -41,7 +39,7 @@ void expect_agreement(const Rows& rows, const Rows& expected) {
 
 class BackendAgreement : public ::testing::TestWithParam<std::tuple<std::string, Kernel>> {};
 
-TEST_P(BackendAgreement, WithTheShaderSourceInDouble) {
+TEST_P(BackendAgreement, WithTheReference) {
     const auto& [name, kernel] = GetParam();
     std::string skipped;
     const auto backend = create_or_explain(name, skipped);
@@ -51,9 +49,7 @@ TEST_P(BackendAgreement, WithTheShaderSourceInDouble) {
     const OwnedJob owned = make_job(kernel, test_materials(), queries_per_material);
     const JobResult result = backend->run(owned.job());
     EXPECT_GT(result.seconds, 0.0);
-    expect_agreement(result.rows, kernel == Kernel::sample
-                                      ? expected_at_samples(owned.job(), result.rows)
-                                      : expected_rows(owned.job()));
+    expect_agreement(result.rows, expected_rows(owned.job(), result.rows));
 }
 
 std::string test_name(const ::testing::TestParamInfo<BackendAgreement::ParamType>& test) {

@@ -69,21 +69,6 @@ std::vector<Material> test_materials() {
             {"varnished metal", 1.0, {coat(1.4, Ndf::ggx, 0.05, 0.05)}, brushed, {}}};
 }
 
-std::vector<Material> many_materials(std::size_t count) {
-    const std::vector<Material> few = test_materials();
-    std::vector<Material> many;
-    many.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        Material material = few[i % few.size()];
-        material.name += fmt::format(" {}", i);
-        const double rougher = static_cast<double>(i) / static_cast<double>(10 * count);
-        if (!material.layers.empty())
-            std::get<Microsurface>(material.layers[0].interface.roughness).alpha[0] += rougher;
-        many.push_back(std::move(material));
-    }
-    return many;
-}
-
 std::vector<glm::vec4> directions(std::size_t count, double stream) {
     std::vector<glm::vec4> rows;
     rows.reserve(count);

@@ -28,9 +28,6 @@ inline constexpr Kernel kAllKernels[] = {Kernel::eval,   Kernel::slice,  Kernel:
 // Coated and bare, dielectric and metal, both distributions, isotropic and not, no base.
 std::vector<Material> test_materials();
 
-// `count` materials: test_materials() over and over, each time a little rougher.
-std::vector<Material> many_materials(std::size_t count);
-
 // Unit directions above the surface, spread evenly over solid angle except that every eighth is
 // within a degree of the horizon and every 64th is the normal. `stream` shifts the sequence.
 std::vector<glm::vec4> directions(std::size_t count, double stream);

@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "backends/jobs.h"
 #include "lacquer/bsdf.h"
 #include "material/numbers.h"
 
@@ -9,83 +10,58 @@ namespace lacquer::test {
 
 namespace {
 
-using Rows = std::vector<glm::dvec4>;
-
-glm::dvec3 vector(const glm::vec4& row) {
-    return {row.x, row.y, row.z};
+Rows reference_rows(const Job& job) {
+    return backend_from_name("reference").create({})->run(job).rows;
 }
 
-glm::dvec3 vector(const float (&row)[4]) {
-    return {row[0], row[1], row[2]};
-}
-
-void append_rows(const Job& job, const Bsdf<double>& bsdf, const glm::vec4* inputs, Rows& rows) {
-    const glm::dvec3 first = vector(inputs[0]);
-    switch (job.kernel) {
-        case Kernel::eval: {
-            const glm::dvec3 wo = vector(inputs[1]);
-            rows.emplace_back(bsdf.eval(first, wo), bsdf.pdf(first, wo));
-            break;
-        }
-        case Kernel::slice: {
-            const glm::dvec3 wo = vector(job.parameters.wo);
-            rows.emplace_back(bsdf.eval(first, wo), bsdf.pdf(first, wo));
-            break;
-        }
-        case Kernel::sphere:
-            rows.emplace_back(
-                vector(job.parameters.radiance) * bsdf.eval_cos(first, vector(inputs[1])), 1.0);
-            break;
-        case Kernel::sample: {
-            const BsdfSample<double> chosen = bsdf.sample(first, vector(inputs[1]));
-            rows.emplace_back(chosen.wi, chosen.pdf);
-            rows.emplace_back(chosen.weight, 0.0);
-            break;
-        }
-        case Kernel::albedo: {
-            const DirectionalAlbedo<double> albedo =
-                bsdf.albedo(first, static_cast<int>(job.parameters.point_count));
-            rows.emplace_back(albedo.direct, 0.0);
-            rows.emplace_back(albedo.base, 0.0);
-            break;
-        }
-        case Kernel::copy:
-            rows.emplace_back(glm::dvec4{inputs[0]} + glm::dvec4{inputs[1]});
-            break;
+Rows expected_samples(const Job& job, const Rows& rows) {
+    OwnedJob at_samples{Kernel::eval,
+                        {job.materials.begin(), job.materials.end()},
+                        job.queries_per_material,
+                        {},
+                        {}};
+    for (std::size_t query = 0; query < job.query_count(); ++query) {
+        at_samples.inputs.emplace_back(glm::vec3{rows[2 * query]}, 0.0f);
+        at_samples.inputs.push_back(job.inputs[2 * query]);
     }
+    const Rows evaluated = reference_rows(at_samples.job());
+    at_samples.kernel = Kernel::sphere;  // times cos_theta_i
+    const Rows lit = reference_rows(at_samples.job());
+    Rows expected;
+    for (std::size_t query = 0; query < job.query_count(); ++query) {
+        const double pdf = evaluated[query].w;
+        const glm::dvec3 weight{lit[query]};
+        expected.emplace_back(glm::dvec3{rows[2 * query]}, pdf);
+        expected.emplace_back(pdf > 0.0 ? weight / pdf : glm::dvec3{0.0}, 0.0);
+    }
+    return expected;
 }
 
-std::vector<Bsdf<double>> bsdfs_of(const Job& job) {
-    std::vector<Bsdf<double>> bsdfs;
-    for (const Material& material : job.materials)
-        bsdfs.push_back(prepare<double>(rounded_to_float(material), job.model));
-    return bsdfs;
+Rows expected_albedos(const Job& job) {
+    Rows expected;
+    const int point_count = static_cast<int>(job.parameters.point_count);
+    for (std::size_t query = 0; query < job.query_count(); ++query) {
+        const Material& material = job.materials[query / job.queries_per_material];
+        const DirectionalAlbedo<double> albedo =
+            prepare<double>(rounded_to_float(material), job.model)
+                .albedo(glm::dvec3{job.inputs[query]}, point_count);
+        expected.emplace_back(albedo.direct, 0.0);
+        expected.emplace_back(albedo.base, 0.0);
+    }
+    return expected;
 }
 
 }  // namespace
 
-Rows expected_rows(const Job& job) {
-    const std::vector<Bsdf<double>> bsdfs = bsdfs_of(job);
-    const std::uint32_t stride = kernel_shape(job.kernel).input_rows;
-    Rows rows;
-    for (std::uint64_t query = 0; query < job.query_count(); ++query)
-        append_rows(job, bsdfs[query / job.queries_per_material], &job.inputs[query * stride],
-                    rows);
-    return rows;
-}
-
-Rows expected_at_samples(const Job& job, const Rows& rows) {
-    const std::vector<Bsdf<double>> bsdfs = bsdfs_of(job);
-    Rows expected;
-    for (std::uint64_t query = 0; query < job.query_count(); ++query) {
-        const Bsdf<double>& bsdf = bsdfs[query / job.queries_per_material];
-        const glm::dvec3 wi{rows[2 * query]};
-        const glm::dvec3 wo = vector(job.inputs[2 * query]);
-        const double pdf = bsdf.pdf(wi, wo);
-        expected.emplace_back(wi, pdf);
-        expected.emplace_back(pdf > 0.0 ? bsdf.eval_cos(wi, wo) / pdf : glm::dvec3{0.0}, 0.0);
+Rows expected_rows(const Job& job, const Rows& rows) {
+    switch (job.kernel) {
+        case Kernel::sample:
+            return expected_samples(job, rows);
+        case Kernel::albedo:
+            return expected_albedos(job);
+        default:
+            return reference_rows(job);
     }
-    return expected;
 }
 
 }  // namespace lacquer::test

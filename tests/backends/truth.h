@@ -1,4 +1,4 @@
-// What kernels should return, from the shader source compiled in double.
+// What kernels should return.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -8,12 +8,14 @@
 
 namespace lacquer::test {
 
-// The rows of `job`, over the float values that a backend gets. For `sample`, which may choose
-// another lobe where rounding decides, use expected_at_samples().
-std::vector<glm::dvec4> expected_rows(const Job& job);
+using Rows = std::vector<glm::dvec4>;
 
-// For the directions that a backend sampled (every other row of `rows`): the rows with the pdf and
-// weight that belong to them.
-std::vector<glm::dvec4> expected_at_samples(const Job& job, const std::vector<glm::dvec4>& rows);
+// The rows that should stand in place of `rows`, which a backend returned for `job`: the
+// reference's, except that
+// - for `sample` the density and weight belong to the directions in `rows`, since rounding may
+//   decide which lobe is chosen;
+// - for `albedo` the shader source compiled in double takes the reference's place, whose integral
+//   is more precise than the kernel's sum of a few samples.
+Rows expected_rows(const Job& job, const Rows& rows);
 
 }  // namespace lacquer::test
