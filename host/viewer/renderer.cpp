@@ -73,10 +73,12 @@ struct Renderer::Impl {
     vk::raii::Semaphore acquired;
     vk::raii::Fence done;
     Swapchain swapchain;
+    glm::uvec2 window_size{};  // that it was made for
 
     Impl(const Window& target, const vulkan::DeviceOptions& options);
     ~Impl() { graphics.device.waitIdle(); }
 
+    void drop_swapchain();
     bool ensure_swapchain();
     bool draw(const Scene& scene, const vulkan::Buffer* copy);
     void record(const Scene& scene, const SwapchainImage& image, const vulkan::Buffer* copy);
@@ -99,12 +101,20 @@ Renderer::Impl::Impl(const Window& target, const vulkan::DeviceOptions& options)
     commands = std::move(vk::raii::CommandBuffers{graphics.device, info}[0]);
 }
 
-// Makes images of the window's size; false while it is minimised.
+void Renderer::Impl::drop_swapchain() {
+    graphics.device.waitIdle();  // presenting may still use it
+    swapchain = {};
+}
+
+// Makes images of the window's size; false while it is minimised. Some drivers go on drawing to the
+// old images after the window was resized, and do not say so.
 bool Renderer::Impl::ensure_swapchain() {
-    if (!swapchain.images.empty()) return true;
     const glm::uvec2 size = window.size();
     if (size.x == 0 || size.y == 0) return false;
+    if (!swapchain.images.empty() && size == window_size) return true;
+    drop_swapchain();  // a window has one at a time
     swapchain = create_swapchain(graphics, format, sphere.render_pass(), size);
+    window_size = size;
     return true;
 }
 
@@ -113,7 +123,7 @@ bool Renderer::Impl::draw(const Scene& scene, const vulkan::Buffer* copy) {
     try {
         index = swapchain.handle.acquireNextImage(kForever, *acquired).second;
     } catch (const vk::OutOfDateKHRError&) {
-        swapchain = {};
+        drop_swapchain();
         return false;
     }
     const SwapchainImage& image = swapchain.images[index];
@@ -152,8 +162,7 @@ bool Renderer::Impl::present(std::uint32_t index, vk::Semaphore drawn) {
         if (result == vk::Result::eSuccess) return true;
     } catch (const vk::OutOfDateKHRError&) {
     }
-    graphics.device.waitIdle();
-    swapchain = {};
+    drop_swapchain();
     return false;
 }
 

@@ -75,10 +75,10 @@ Window::Window(int size, bool visible) {
         window_, [](GLFWwindow* window, int, int, int) { window_of(window).report_drag(); });
     glfwSetCursorPosCallback(
         window_, [](GLFWwindow* window, double, double) { window_of(window).report_drag(); });
-    const auto damage = [](GLFWwindow* window) {
-        if (const Input& input = window_of(window).input_; input.damage) input.damage();
-    };
-    glfwSetWindowRefreshCallback(window_, damage);
+    glfwSetWindowRefreshCallback(window_,
+                                 [](GLFWwindow* window) { window_of(window).report_damage(); });
+    glfwSetFramebufferSizeCallback(
+        window_, [](GLFWwindow* window, int, int) { window_of(window).report_damage(); });
 }
 
 Window::~Window() {
@@ -125,6 +125,10 @@ void Window::handle_events(bool wait) {
         glfwWaitEvents();
     else
         glfwPollEvents();
+}
+
+void Window::report_damage() const {
+    if (input_.damage) input_.damage();
 }
 
 void Window::report_drag() const {

@@ -46,6 +46,7 @@ class Window {
     void handle_events(bool wait);
 
  private:
+    void report_damage() const;
     void report_drag() const;
 
     GLFWwindow* window_ = nullptr;
