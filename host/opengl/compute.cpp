@@ -74,21 +74,17 @@ struct BindingBuffer {
 
 struct Context::Impl {
     EglContext egl;
-    Api api;
     std::string renderer;
-    GLuint timer = 0;                    // 0: the API has no clock
     std::vector<BindingBuffer> buffers;  // one per binding
 
-    explicit Impl(Api chosen);
+    explicit Impl(Api api);
     void upload(std::span<const BufferArgument> arguments);
     void download(std::span<const BufferArgument> arguments) const;
     void dispatch(GLuint program, std::uint32_t groups) const;
-    std::optional<double> measured_seconds() const;
 };
 
-Context::Impl::Impl(Api chosen) : egl{chosen}, api{chosen} {
+Context::Impl::Impl(Api api) : egl{api} {
     renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    if (api == Api::opengl) glGenQueries(1, &timer);
 }
 
 void Context::Impl::upload(std::span<const BufferArgument> arguments) {
@@ -120,17 +116,8 @@ void Context::Impl::download(std::span<const BufferArgument> arguments) const {
 
 void Context::Impl::dispatch(GLuint program, std::uint32_t groups) const {
     glUseProgram(program);
-    if (timer != 0) glBeginQuery(GL_TIME_ELAPSED, timer);
     glDispatchCompute(groups, 1, 1);
-    if (timer != 0) glEndQuery(GL_TIME_ELAPSED);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-}
-
-std::optional<double> Context::Impl::measured_seconds() const {
-    if (timer == 0) return std::nullopt;
-    GLuint64 nanoseconds = 0;
-    glGetQueryObjectui64v(timer, GL_QUERY_RESULT, &nanoseconds);
-    return 1e-9 * static_cast<double>(nanoseconds);
 }
 
 Context::Context(Api api) : impl_{std::make_unique<Impl>(api)} {}
@@ -159,15 +146,13 @@ Program Context::compile(const std::string& source) {
     return Program{program};
 }
 
-std::optional<double> Context::run(const Program& program,
-                                   std::span<const BufferArgument> arguments,
-                                   std::uint32_t groups) {
+void Context::run(const Program& program, std::span<const BufferArgument> arguments,
+                  std::uint32_t groups) {
     impl_->egl.make_current();
     impl_->upload(arguments);
     impl_->dispatch(program.handle(), groups);
     impl_->download(arguments);
     throw_errors("dispatching");
-    return impl_->measured_seconds();
 }
 
 }  // namespace lacquer::opengl
