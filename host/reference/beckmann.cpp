@@ -61,7 +61,8 @@ double lambda(double a) {
 
 glm::dvec3 sample_visible_normal(const glm::dvec3& w, const glm::dvec2& u) {
     const double sin_theta = std::hypot(w.x, w.y);
-    const double phi = std::atan2(w.y, w.x);
+    // A negative 0 has an azimuth too, which would turn the x axis around.
+    const double phi = sin_theta > 0.0 ? std::atan2(w.y, w.x) : 0.0;
     const double along = sample_slope_along(sin_theta, w.z, u.x);
     const double across = sample_slope_across(u.y);
     const double slope_x = std::cos(phi) * along - std::sin(phi) * across;

@@ -64,6 +64,9 @@ bool is_above(const glm::dvec3& w) {
     return w.z > 0.0;
 }
 
+// Less than this is the rounding of Fresnel's formulas where the exact value is 0.
+constexpr double kNoReflectance = 1e-20;
+
 // The probability of choosing the coat for a viewer at wo.
 double coat_choice(const PlainSurface& surface, const glm::dvec3& wo) {
     if (!surface.coat) return 0.0;
@@ -71,7 +74,7 @@ double coat_choice(const PlainSurface& surface, const glm::dvec3& wo) {
     const double coat = fresnel(wo.z, surface.coat->eta);
     const double base =
         surface.albedo ? mean(*surface.albedo) : mean(fresnel_rgb(*surface.conductor, wo.z));
-    if (coat + base <= 0.0) return kMinChoice;
+    if (coat + base < kNoReflectance) return kMinChoice;
     return std::clamp(coat / (coat + base), kMinChoice, 1.0 - kMinChoice);
 }
 

@@ -64,8 +64,8 @@ double pdf(const PlainSurface& surface, const glm::dvec3& wi, const glm::dvec3& 
 // A direction of light for a viewer at wo, from u in [0, 1)^3: u.x chooses the coat with
 // probability F / (F + B), kept within [kMinChoice, 1 - kMinChoice], where F is the coat's Fresnel
 // reflectance at cos_theta_o and B the base's albedo or Fresnel reflectance there, averaged over
-// the channels; (u.y, u.z) choose the direction: a visible normal's mirror direction, or a
-// cosine-weighted one.
+// the channels; where both are 0, with kMinChoice. (u.y, u.z) choose the direction: a visible
+// normal's mirror direction, or a cosine-weighted one.
 Sample sample(const PlainSurface& surface, const glm::dvec3& wo, const glm::dvec3& u);
 
 // The fraction of light from every direction that is sent to wo, to 1e-7; 0 unless wo is above.

@@ -158,6 +158,12 @@ TEST(Beckmann, SamplesStayFiniteAtTheEnds) {
         }
 }
 
+TEST(Facets, SamplingAtNormalIncidenceIgnoresTheSignOfZero) {
+    for (const Ndf ndf : {Ndf::ggx, Ndf::beckmann})
+        EXPECT_EQ(sample_visible_normal({ndf, 0.3, 0.5}, {-0.0, -0.0, 1.0}, {0.3, 0.8}),
+                  sample_visible_normal({ndf, 0.3, 0.5}, {0.0, 0.0, 1.0}, {0.3, 0.8}));
+}
+
 // Cells of equal solid angle: rings of cos_theta, cut into sectors.
 constexpr int kRings = 10;
 constexpr int kSectors = 12;

@@ -331,6 +331,11 @@ TEST(Plain, ChoosesTheCoatAsDocumented) {
     const glm::dvec3 diffuse = sample(surface, wo, {choice + 1e-9, point.x, point.y}).wi;
     EXPECT_EQ(sample(surface, wo, {choice - 1e-9, point.x, point.y}).wi, mirrored);
     EXPECT_NEAR(diffuse.z, std::sqrt(1 - point.x), 1e-12);  // Malley's method
+    // A coat without contrast over nothing that reflects.
+    const PlainSurface nothing = prepare_plain(coated(1.0, {Ndf::ggx, {0.2, 0.2}}, kBlack));
+    const glm::dvec3 aslant = test::direction(0.3, 0.0);
+    EXPECT_NE(sample(nothing, aslant, {0.1 + 1e-9, point.x, point.y}).wi,
+              reflection_sample(nothing.coat->facets, aslant, point));
     // Black clay still gets its tenth.
     const PlainSurface black = prepare_plain(coated(1.5, {Ndf::ggx, {0.2, 0.2}}, kBlack));
     EXPECT_NE(sample(black, wo, {0.9 + 1e-9, point.x, point.y}).wi,
