@@ -36,6 +36,7 @@ PlainParameters plain_parameters(const Material& material) {
         parameters.base_kind = PlainParameters::BaseKind::lambertian;
         parameters.albedo = lambertian->albedo;
     } else if (const auto* diffuse = std::get_if<DiffuseFacetsBase>(&material.base)) {
+        uniform(diffuse->roughness, material, "/base/diffuse_facets");
         parameters.base_kind = PlainParameters::BaseKind::lambertian;
         parameters.albedo = diffuse->albedo;
     } else if (const auto* conductor = std::get_if<ConductorBase>(&material.base)) {

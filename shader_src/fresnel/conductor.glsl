@@ -14,12 +14,13 @@ const float LQ_MIN_FRESNEL_TERM = 1.0e-30;
 // relative to the medium of incidence.
 //
 // The refracted normal component is (a + i b), with a^2 - b^2 = eta^2 - kappa^2 - sin^2 theta_i and
-// a b = eta kappa. The larger of a and b comes from a sum of positive terms and the other from the
+// a b = eta kappa. The difference is taken from 1 on both sides, or at grazing an index near the
+// exterior's would leave nothing but rounding. The larger of a and b comes from a sum of positive terms and the other from the
 // product: the textbook's difference of near-equal terms loses four digits for noble metals.
 float lq_fresnel_conductor(const float cos_theta_i, const float eta, const float kappa) {
     const float c = clamp(cos_theta_i, LQ_MIN_FRESNEL_COSINE, 1.0);
     const float sin_squared = (1.0 - c) * (1.0 + c);
-    const float difference = (eta - kappa) * (eta + kappa) - sin_squared;
+    const float difference = (eta - 1.0) * (eta + 1.0) - kappa * kappa + c * c;
     const float product = eta * kappa;
     const float larger = sqrt(0.5 * (sqrt(difference * difference + 4.0 * product * product) +
                                      abs(difference)));

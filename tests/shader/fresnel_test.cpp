@@ -76,6 +76,22 @@ TEST(FresnelConductor, MatchesTheTextbookToRounding) {
         }
 }
 
+TEST(FresnelConductor, KeepsItsDigitsAtGrazingForAnIndexNearTheExteriors) {
+    for (const double eta : {0.999, 1.0005, 1.01})
+        for (const double kappa : {0.0, 1e-4, 1e-2})
+            for (const double cosine : {0.1, 0.01, 0.003}) {
+                const Real c = real(cosine);
+                const Real e = real(eta);
+                const Real k = real(kappa);
+                // The critical angle of 0.999 is at 0.0447: these cosines keep away from it.
+                const double expected = textbook_reflectance(
+                    static_cast<double>(c), static_cast<double>(e), static_cast<double>(k));
+                const double value = static_cast<double>(shader::lq_fresnel_conductor(c, e, k));
+                EXPECT_NEAR(value, expected, 1e-4 * expected + roundings(8))
+                    << eta << " " << kappa << " " << cosine;
+            }
+}
+
 TEST(FresnelConductor, WithoutAbsorptionIsADielectric) {
     for (const double cosine : kCosines)
         EXPECT_NEAR(
