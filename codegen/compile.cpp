@@ -40,7 +40,7 @@ EShLanguage glslang_stage(Stage stage) {
 
 // Names that stand between square brackets somewhere: naga takes no specialization constant there.
 std::set<std::string> array_sizes(const SourceTree& tree) {
-    static const std::regex kSize{R"(\[\s*(LQ_\w+))"};
+    static const std::regex kSize{R"(\[\s*(LQ_\w+)\s*\])"};
     std::set<std::string> names;
     for (const auto& [name, text] : tree.files())
         for (std::sregex_iterator match{text.begin(), text.end(), kSize}, end; match != end;
@@ -70,7 +70,7 @@ class Includer : public glslang::TShader::Includer {
     // `text` as glslang is to see it; no line is added or removed.
     std::string prepared(const std::string& text) {
         if (!named_constants_) return text;
-        static const std::regex kConstant{R"(^const (?:float|int|uint|bool) (LQ_\w+) =)",
+        static const std::regex kConstant{R"(^const (?:float|int|uint) (LQ_\w+) = -?[0-9.]\S*;)",
                                           std::regex::multiline};
         std::string marked;
         auto from = text.cbegin();
@@ -148,9 +148,9 @@ Words compile(const SourceTree& tree, const std::string& file, const std::string
     std::string message;
     optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&,
                                      const char* said) { message = said; });
-    // These keep variables and their names; passes that rewrite to SSA form or inline do not.
+    // These keep variables and their names; passes that rewrite to SSA form or inline do not, and
+    // merging blocks moves the bodies of loops to where no language can write a plain `for`.
     optimizer.RegisterPass(spvtools::CreateDeadBranchElimPass())
-        .RegisterPass(spvtools::CreateBlockMergePass())
         .RegisterPass(spvtools::CreateEliminateDeadConstantPass())
         .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
     Words words;

@@ -1,23 +1,33 @@
-// SPIR-V to the text of each language family; one source file per family.
+// SPIR-V to the statements of each language family, tidied; one source file per family.
 #pragma once
 
 #include <string>
 
 #include "codegen/codegen.h"
 #include "codegen/compile.h"
+#include "codegen/text/tree.h"
 
 namespace lacquer::codegen {
 
+// The family that a text target belongs to.
+text::Dialect dialect_of(Target target);
+
 // GLSL 4.50, ESSL 3.10, ESSL 3.00.
-std::string emit_glsl(const Words& words, Target target);
+text::Statements emit_glsl(const Words& words, Target target);
 
 // HLSL for shader model 5.0 or 6.0; binding N is register N.
-std::string emit_hlsl(const Words& words, Target target);
+text::Statements emit_hlsl(const Words& words, Target target);
 
 // Metal Shading Language 2.2; binding N is index N.
-std::string emit_msl(const Words& words);
+text::Statements emit_msl(const Words& words);
 
 // The name that "main", reserved in C++, has in MSL.
 inline constexpr const char* kMslEntryPoint = "main0";
+
+// WGSL from what naga made of the module.
+text::Statements emit_wgsl(const std::string& naga_text);
+
+// What all languages of the C family are tidied by: numbers, parentheses, choices, names.
+void tidy_c_family(text::Statements& statements, text::Dialect dialect);
 
 }  // namespace lacquer::codegen

@@ -3,13 +3,17 @@
 
 #include <algorithm>
 
+#include "codegen/arrange.h"
 #include "codegen/codegen.h"
 #include "codegen/emit.h"
+#include "codegen/head.h"
+#include "codegen/library.h"
 #include "codegen/naga.h"
 #include "codegen/names.h"
 #include "codegen/reflect.h"
 #include "codegen/sha256.h"
 #include "codegen/targets.h"
+#include "codegen/text/print.h"
 #include "codegen/variants.h"
 #include "core/error.h"
 
@@ -17,79 +21,125 @@ namespace lacquer::codegen {
 
 namespace {
 
-// One shader, compiled twice: as it is executed, and with what makes its text readable.
-struct Module {
-    const Level* level;
+// One kernel or library of one level: what to compile, and what its source declares.
+struct Variant {
+    const Level* level = nullptr;
+    Form form = Form::kernel;
     KernelSource source;
+    std::string text;  // to compile
+    std::vector<SourceModule> modules;
+    std::string source_sha256;  // of those
+};
+
+// Its modules in SPIR-V: as executed, and with what makes text of it readable.
+struct CompiledVariant {
     Words words;
     Words readable_words;
 };
 
-Module compile_module(const SourceTree& tree, const Level& level, const KernelSource& source) {
-    Module module{&level, source, {}, {}};
-    CompileOptions options{source.stage, level.define};
-    const std::string& text = tree.text(source.file);
-    SpirvModule executed{compile(tree, source.file, text, options)};
+std::string hash_of(const SourceTree& tree, const std::vector<SourceModule>& modules) {
+    std::string all;
+    for (const SourceModule& module : modules) all += tree.text(module.file);
+    return sha256(all);
+}
+
+Variant kernel_variant(const SourceTree& tree, const Level& level, const KernelSource& source) {
+    Variant variant{&level, Form::kernel, source, tree.text(source.file), {}, {}};
+    variant.modules = read_declarations(tree, source.file);
+    variant.source_sha256 = hash_of(tree, variant.modules);
+    return variant;
+}
+
+Variant library_variant(const SourceTree& tree, const Level& level) {
+    const std::string source{level.source};
+    Variant variant{&level, Form::library, {{}, "library.frag", kLibraryStage}, {}, {}, {}};
+    variant.modules = read_declarations(tree, source);
+    variant.text = library_entry(source, variant.modules);
+    variant.source_sha256 = hash_of(tree, variant.modules);
+    return variant;
+}
+
+CompiledVariant compile_variant(const SourceTree& tree, const Variant& variant) {
+    CompileOptions options{variant.source.stage, variant.level->define};
+    SpirvModule executed{compile(tree, variant.source.file, variant.text, options)};
     cut_signatures(executed);
     mark_read_only_buffers(executed);
-    module.words = executed.words();
     options.named_constants = true;
-    SpirvModule readable{compile(tree, source.file, text, options)};
+    SpirvModule readable{compile(tree, variant.source.file, variant.text, options)};
     cut_signatures(readable);
     mark_read_only_buffers(readable);
     release_constants(readable);
     inline_struct_constants(readable);
     name_temporaries(readable);
-    module.readable_words = readable.words();
-    return module;
+    return {executed.words(), readable.words()};
 }
 
-std::string bytes_of(const Words& words) {
-    return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof(Words::value_type)};
-}
-
-std::string emit(const Module& module, Target target) {
+// Translated and tidied; of WGSL, naga's text is given.
+text::Statements emit(const CompiledVariant& compiled, Target target, const std::string& naga) {
     switch (target) {
-        case Target::spirv:
-            return bytes_of(module.words);
-        case Target::glsl450:
-        case Target::essl310:
-        case Target::essl300:
-            return emit_glsl(module.readable_words, target);
         case Target::hlsl50:
         case Target::hlsl60:
-            return emit_hlsl(module.readable_words, target);
+            return emit_hlsl(compiled.readable_words, target);
         case Target::msl:
-            return emit_msl(module.readable_words);
+            return emit_msl(compiled.readable_words);
         case Target::wgsl:
-            break;  // translated all at once
+            return emit_wgsl(naga);
+        default:
+            return emit_glsl(compiled.readable_words, target);
     }
-    return {};
 }
 
-std::filesystem::path file_path(const Module& module, Target target) {
+std::filesystem::path file_path(const Variant& variant, Target target) {
     const TargetEntry& entry = target_entry(target);
-    const std::string_view infix = module.source.stage == Stage::vertex     ? ".vert"
-                                   : module.source.stage == Stage::fragment ? ".frag"
-                                                                            : "";
-    return fmt::format("{}/kernel/{}_{}{}.{}", entry.name, module.level->name, module.source.kernel,
-                       infix, entry.extension);
+    if (variant.form == Form::library)
+        return fmt::format("{}/library/{}.{}", entry.name, variant.level->name, entry.extension);
+    const std::string_view infix = variant.source.stage == Stage::vertex     ? ".vert"
+                                   : variant.source.stage == Stage::fragment ? ".frag"
+                                                                             : "";
+    return fmt::format("{}/kernel/{}_{}{}.{}", entry.name, variant.level->name,
+                       variant.source.kernel, infix, entry.extension);
 }
 
-ShaderFile kernel_file(const Module& module, Target target) {
+void fill_text(ShaderFile& file, const Variant& variant, const CompiledVariant& compiled,
+               const std::string& naga) {
+    const text::Dialect dialect = dialect_of(file.target);
+    text::Statements statements = emit(compiled, file.target, naga);
+    if (file.form == Form::library) {
+        statements = arrange_library(std::move(statements), variant.modules, dialect);
+        file.functions = public_functions(statements, variant.modules, dialect);
+    } else {
+        statements = arrange_kernel(std::move(statements), variant.modules, dialect);
+    }
+    const std::string body = print(statements);
+    // Only a version may stand above the first comment in every dialect of GLSL.
+    const std::size_t version = body.starts_with("#version") ? body.find('\n') + 1 : 0;
+    file.contents = body.substr(0, version) +
+                    file_head(file, *variant.level, variant.source_sha256) +
+                    body.substr(version == 0 ? 0 : body.find_first_not_of('\n', version));
+}
+
+ShaderFile make_file(const Variant& variant, const CompiledVariant& compiled, Target target,
+                     const std::string& naga) {
     ShaderFile file;
-    file.path = file_path(module, target);
+    file.path = file_path(variant, target);
     file.target = target;
-    file.form = Form::kernel;
-    file.level = module.level->name;
-    file.kernel = module.source.kernel;
-    file.contents = emit(module, target);
-    const Reflection reflection = reflect(module.words);
-    file.entry_points = reflection.entry_points;
-    if (target == Target::msl)
-        for (EntryPoint& point : file.entry_points) point.name = kMslEntryPoint;
-    file.bindings = reflection.bindings;
-    file.instruction_count = instruction_count(SpirvModule{module.words});
+    file.form = variant.form;
+    file.level = variant.level->name;
+    file.kernel = variant.source.kernel;
+    file.instruction_count = instruction_count(SpirvModule{compiled.words});
+    if (file.form == Form::kernel) {
+        const Reflection reflection = reflect(compiled.words);
+        file.entry_points = reflection.entry_points;
+        file.bindings = reflection.bindings;
+        if (target == Target::msl)
+            for (EntryPoint& point : file.entry_points) point.name = kMslEntryPoint;
+    }
+    if (target == Target::spirv)
+        file.contents = {reinterpret_cast<const char*>(compiled.words.data()),
+                         compiled.words.size() * sizeof(Words::value_type)};
+    else
+        fill_text(file, variant, compiled, naga);
+    file.sha256 = sha256(file.contents);
     return file;
 }
 
@@ -98,12 +148,28 @@ bool chosen(const std::vector<T>& choice, const T& value) {
     return choice.empty() || std::ranges::find(choice, value) != choice.end();
 }
 
-std::vector<const Level*> chosen_levels(const Request& request) {
+std::vector<Variant> chosen_variants(const SourceTree& tree, const Request& request) {
     for (const std::string& name : request.levels) level_from_name(name);
-    std::vector<const Level*> levels;
-    for (const Level& level : all_levels())
-        if (chosen(request.levels, std::string{level.name})) levels.push_back(&level);
-    return levels;
+    std::vector<Variant> variants;
+    for (const Level& level : all_levels()) {
+        if (!chosen(request.levels, std::string{level.name})) continue;
+        if (chosen(request.forms, Form::kernel))
+            for (const KernelSource& source : all_kernels(tree))
+                variants.push_back(kernel_variant(tree, level, source));
+        if (chosen(request.forms, Form::library)) variants.push_back(library_variant(tree, level));
+    }
+    return variants;
+}
+
+std::vector<Target> chosen_targets(const Request& request, const Variant& variant) {
+    std::vector<Target> targets;
+    for (const Target target : all_targets()) {
+        const bool possible = variant.form == Form::library
+                                  ? can_express_library(target)
+                                  : can_express(target, variant.source.stage);
+        if (possible && chosen(request.targets, target)) targets.push_back(target);
+    }
+    return targets;
 }
 
 void require_naga(const Request& request) {
@@ -112,33 +178,44 @@ void require_naga(const Request& request) {
     if (!naga.usable) throw Error{naga.reason};
 }
 
+// naga's texts of all variants, in one process.
+std::vector<std::string> naga_texts(const std::vector<Variant>& variants,
+                                    const std::vector<CompiledVariant>& compiled) {
+    std::vector<NagaJob> jobs;
+    for (std::size_t i = 0; i < variants.size(); ++i)
+        jobs.push_back({variants[i].source.file, compiled[i].readable_words});
+    return translate_to_wgsl(jobs);
+}
+
 }  // namespace
 
 Package generate(const Request& request) {
     require_naga(request);
     const SourceTree tree{request.source_root};
+    const std::vector<Variant> variants = chosen_variants(tree, request);
+    std::size_t total = variants.size();
+    for (const Variant& variant : variants) total += chosen_targets(request, variant).size();
+    std::size_t done = 0;
+    const auto report = [&] {
+        if (request.progress) request.progress(done, total);
+    };
+    std::vector<CompiledVariant> compiled;
+    for (const Variant& variant : variants) {
+        report();
+        compiled.push_back(compile_variant(tree, variant));
+        ++done;
+    }
+    std::vector<std::string> naga(variants.size());
+    if (chosen(request.targets, Target::wgsl)) naga = naga_texts(variants, compiled);
     Package package{tree.hash(), {}};
-    std::vector<ShaderFile>& files = package.files;
-    std::vector<NagaJob> naga_jobs;
-    for (const Level* level : chosen_levels(request)) {
-        for (const KernelSource& source : all_kernels(tree)) {
-            if (!chosen(request.forms, Form::kernel)) break;
-            const Module module = compile_module(tree, *level, source);
-            for (const Target target : all_targets()) {
-                if (!chosen(request.targets, target) || !can_express(target, source.stage))
-                    continue;
-                files.push_back(kernel_file(module, target));
-                if (target == Target::wgsl)
-                    naga_jobs.push_back({files.back().path.string(), module.readable_words});
-            }
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+        for (const Target target : chosen_targets(request, variants[i])) {
+            report();
+            package.files.push_back(make_file(variants[i], compiled[i], target, naga[i]));
+            ++done;
         }
     }
-    const std::vector<std::string> wgsl = translate_to_wgsl(naga_jobs);
-    auto next_wgsl = wgsl.begin();
-    for (ShaderFile& file : files) {
-        if (file.target == Target::wgsl) file.contents = *next_wgsl++;
-        file.sha256 = sha256(file.contents);
-    }
+    report();
     return package;
 }
 

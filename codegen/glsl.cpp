@@ -25,7 +25,7 @@ void combine_samplers(spirv_cross::CompilerGLSL& compiler) {
 
 }  // namespace
 
-std::string emit_glsl(const Words& words, Target target) {
+text::Statements emit_glsl(const Words& words, Target target) {
     spirv_cross::CompilerGLSL compiler{words};
     spirv_cross::CompilerGLSL::Options options;
     options.version = glsl_version(target);
@@ -34,7 +34,9 @@ std::string emit_glsl(const Words& words, Target target) {
     options.fragment.default_int_precision = spirv_cross::CompilerGLSL::Options::Highp;
     compiler.set_common_options(options);
     combine_samplers(compiler);
-    return compiler.compile();
+    text::Statements statements = text::parse(compiler.compile(), text::Dialect::glsl);
+    tidy_c_family(statements, text::Dialect::glsl);
+    return statements;
 }
 
 }  // namespace lacquer::codegen

@@ -5,13 +5,53 @@
 
 namespace lacquer::codegen {
 
-std::string emit_msl(const Words& words) {
+namespace {
+
+using text::Statement;
+using text::Statements;
+using text::Tokens;
+
+// `fast::clamp` as `clamp`: which of the two precisions it has is the compiler option's to say.
+void drop_fast(Tokens& tokens) {
+    for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
+        if (!tokens[i].is("fast") || !tokens[i + 1].is("::")) continue;
+        tokens[i + 2].space = tokens[i].space;
+        const auto at = tokens.begin() + static_cast<std::ptrdiff_t>(i);
+        tokens.erase(at, at + 2);
+    }
+}
+
+// `static inline __attribute__((always_inline))` as `static inline`.
+void drop_attribute(Statement& statement) {
+    Tokens& head = statement.head;
+    for (std::size_t i = 0; i + 1 < head.size(); ++i) {
+        if (!head[i].is("__attribute__")) continue;
+        const auto first = head.begin() + static_cast<std::ptrdiff_t>(i);
+        head.erase(first, head.begin() + static_cast<std::ptrdiff_t>(closing(head, i + 1)) + 1);
+        return;
+    }
+}
+
+// Functions are static here, and nothing of simd's own is used.
+bool is_needless(const Statement& statement) {
+    return statement.is_line() && (statement.head[0].text.starts_with("#pragma clang") ||
+                                   statement.head[0].is("#include <simd/simd.h>"));
+}
+
+}  // namespace
+
+Statements emit_msl(const Words& words) {
     spirv_cross::CompilerMSL compiler{words};
     spirv_cross::CompilerMSL::Options options;
     options.set_msl_version(2, 2);
     options.enable_decoration_binding = true;
     compiler.set_msl_options(options);
-    return compiler.compile();
+    Statements statements = text::parse(compiler.compile(), text::Dialect::msl);
+    for_each_tokens(statements, drop_fast);
+    for (Statement& statement : statements) drop_attribute(statement);
+    std::erase_if(statements, is_needless);
+    tidy_c_family(statements, text::Dialect::msl);
+    return statements;
 }
 
 }  // namespace lacquer::codegen

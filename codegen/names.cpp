@@ -11,12 +11,6 @@ namespace {
 
 using Id = std::uint32_t;
 
-bool uses(const Instruction& instruction, Id id) {
-    return std::ranges::any_of(instruction.id_positions, [&](std::size_t position) {
-        return instruction.operands[position] == id;
-    });
-}
-
 bool is_debug_or_decoration(spv::Op op) {
     return op == spv::OpName || op == spv::OpMemberName || op == spv::OpDecorate ||
            op == spv::OpMemberDecorate;
@@ -70,50 +64,6 @@ void move_into_functions(SpirvModule& module,
     }
     std::ranges::reverse(kept);
     module.instructions = std::move(kept);
-}
-
-// What is known of one nameless variable of a function.
-struct Temporary {
-    std::size_t declared = 0;  // indices of instructions
-    std::size_t loaded = 0;
-    std::size_t loads = 0;
-    bool plain = true;  // nothing but whole loads and stores
-};
-
-std::set<Id> find_locals(const SpirvModule& module) {
-    std::set<Id> locals;
-    for (const Instruction& instruction : module.instructions)
-        if (instruction.op == spv::OpVariable &&
-            instruction.operands[2] == spv::StorageClassFunction)
-            locals.insert(instruction.result);
-    return locals;
-}
-
-std::map<Id, Temporary> find_temporaries(const SpirvModule& module) {
-    std::set<Id> named;
-    for (const Instruction& instruction : module.instructions)
-        if (instruction.op == spv::OpName && !literal_string(instruction, 1).empty())
-            named.insert(instruction.operands[0]);
-    const std::set<Id> locals = find_locals(module);
-    std::map<Id, Temporary> temporaries;
-    for (std::size_t i = 0; i < module.instructions.size(); ++i) {
-        const Instruction& instruction = module.instructions[i];
-        if (instruction.op == spv::OpVariable) {
-            if (locals.contains(instruction.result) && !named.contains(instruction.result))
-                temporaries[instruction.result].declared = i;
-            continue;
-        }
-        for (const std::size_t position : instruction.id_positions) {
-            const auto found = temporaries.find(instruction.operands[position]);
-            if (found == temporaries.end()) continue;
-            const bool load = instruction.op == spv::OpLoad;
-            const bool store = instruction.op == spv::OpStore && position == 0;
-            found->second.plain = found->second.plain && (load || store);
-            found->second.loads += load ? 1 : 0;
-            if (load) found->second.loaded = i;
-        }
-    }
-    return temporaries;
 }
 
 }  // namespace
@@ -175,44 +125,20 @@ void inline_struct_constants(SpirvModule& module) {
 }
 
 void name_temporaries(SpirvModule& module) {
-    std::map<Id, Id> replaced;
-    std::map<Id, std::string> names;
-    std::set<std::size_t> dropped;
-    const std::set<Id> locals = find_locals(module);
-    for (const auto& [id, temporary] : find_temporaries(module)) {
-        if (!temporary.plain || temporary.loads != 1) continue;
-        const Instruction& load = module.instructions[temporary.loaded];
-        const Instruction& next = module.instructions[temporary.loaded + 1];
-        const auto load_uses = std::ranges::count_if(
-            module.instructions,
-            [&](const Instruction& other) { return uses(other, load.result); });
-        const bool passed_on = next.op == spv::OpStore && next.operands[1] == load.result;
-        if (passed_on && load_uses == 1 && locals.contains(next.operands[0])) {
-            replaced[id] = next.operands[0];
-            dropped.insert({temporary.declared, temporary.loaded, temporary.loaded + 1});
-        } else {
-            names[id] = next.op == spv::OpReturnValue ? "result" : "selected";
-        }
+    std::set<Id> named;
+    std::vector<Instruction> names;
+    for (const Instruction& instruction : module.instructions) {
+        if (instruction.op == spv::OpName && !literal_string(instruction, 1).empty())
+            named.insert(instruction.operands[0]);
+        if (instruction.op != spv::OpVariable || named.contains(instruction.result)) continue;
+        if (instruction.operands[2] != spv::StorageClassFunction) continue;
+        Instruction name{.op = spv::OpName, .operands = {instruction.result}, .id_positions = {0}};
+        const Words literal = string_literal(kSelectedName);
+        name.operands.insert(name.operands.end(), literal.begin(), literal.end());
+        names.push_back(name);
     }
-    std::vector<Instruction> rewritten;
-    for (std::size_t i = 0; i < module.instructions.size(); ++i) {
-        if (dropped.contains(i)) continue;
-        Instruction& instruction = module.instructions[i];
-        for (const std::size_t position : instruction.id_positions)
-            while (replaced.contains(instruction.operands[position]))
-                instruction.operands[position] = replaced[instruction.operands[position]];
-        rewritten.push_back(instruction);
-        const bool first_name = instruction.op == spv::OpName;
-        if (!first_name) continue;
-        for (const auto& [id, name] : names) {
-            Instruction named{.op = spv::OpName, .operands = {id}, .id_positions = {0}};
-            const Words literal = string_literal(name);
-            named.operands.insert(named.operands.end(), literal.begin(), literal.end());
-            rewritten.push_back(named);
-        }
-        names.clear();
-    }
-    module.instructions = std::move(rewritten);
+    const auto place = std::ranges::find(module.instructions, spv::OpName, &Instruction::op);
+    module.instructions.insert(place, names.begin(), names.end());
 }
 
 }  // namespace lacquer::codegen

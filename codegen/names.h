@@ -20,8 +20,10 @@ void release_constants(SpirvModule& module);
 // global for each.
 void inline_struct_constants(SpirvModule& module);
 
-// Names the nameless variables that glslang makes for `c ? a : b`: the variable that receives the
-// value takes their place; where there is none they become `result` or `selected`.
+// The name of nameless variables that glslang makes for `c ? a : b`; the text is rid of most again.
+inline constexpr const char* kSelectedName = "lq_selected";
+
+// Gives it to them.
 void name_temporaries(SpirvModule& module);
 
 }  // namespace lacquer::codegen

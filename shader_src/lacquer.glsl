@@ -14,7 +14,6 @@
 #include "core/sampling.glsl"
 #include "lighting/sphere.glsl"
 #include "lighting/tone_mapping.glsl"
-#include "microsurface/walk.glsl"
 
 // Levels:
 #include "plain/plain.glsl"

@@ -10,9 +10,8 @@ float lq_tone_curve(const float radiance) {
 }
 
 // IEC 61966-2-1 (sRGB) transfer function from linear [0, 1] to encoded [0, 1].
-float lq_srgb_encode(const float linear) {
-    return linear <= 0.0031308 ? 12.92 * linear
-                               : 1.055 * pow(linear, 0.416666666666667) - 0.055;
+float lq_srgb_encode(const float value) {
+    return value <= 0.0031308 ? 12.92 * value : 1.055 * pow(value, 0.416666666666667) - 0.055;
 }
 
 // Linear radiance to an encoded display colour.

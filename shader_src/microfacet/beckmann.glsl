@@ -107,7 +107,7 @@ float lq_beckmann_sample_visible_slope(const float sin_theta, const float cos_th
                         sin_theta * exp(-high * high) * half_inverse_sqrt_pi;
     const float wanted = u * total;
     float slope = min(0.0, 0.5 * (low + high));
-    for (int step = 0; step < LQ_BECKMANN_MAX_STEPS; step++) {
+    for (int count = 0; count < LQ_BECKMANN_MAX_STEPS; count++) {
         const float bell = exp(-slope * slope);
         const float value = cos_theta * lq_half_erfc(-slope) +
                             sin_theta * bell * half_inverse_sqrt_pi - wanted;

@@ -114,15 +114,15 @@ LqSample lq_plain_sample(const LqPlainSurface surface, const vec3 wo, const vec3
     if (!lq_is_above(wo)) {
         return LqSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0);
     }
-    const vec2 point = vec2(u.y, u.z);
+    const vec2 square = vec2(u.y, u.z);
     vec3 wi = vec3(0.0, 0.0, 1.0);
     if (u.x < lq_plain_coat_choice(surface, wo)) {
-        wi = lq_reflection_sample(surface.coat, wo, point);
+        wi = lq_reflection_sample(surface.coat, wo, square);
     } else {
         if (surface.base == LQ_BASE_CONDUCTOR) {
-            wi = lq_reflection_sample(surface.base_facets, wo, point);
+            wi = lq_reflection_sample(surface.base_facets, wo, square);
         } else {
-            wi = lq_sample_cosine_hemisphere(point);
+            wi = lq_sample_cosine_hemisphere(square);
         }
     }
     const float pdf = lq_plain_pdf(surface, wi, wo);
@@ -144,9 +144,9 @@ LqAlbedo lq_plain_albedo(const LqPlainSurface surface, const vec3 wo, const int 
     }
     const float share = 1.0 / float(max(point_count, 1));
     for (int index = 0; index < point_count; index++) {
-        const vec2 point = lq_low_discrepancy_point(uint(index));
+        const vec2 square = lq_low_discrepancy_point(uint(index));
         if (surface.coat_eta > 0.0) {
-            const vec3 wi = lq_reflection_sample(surface.coat, wo, point);
+            const vec3 wi = lq_reflection_sample(surface.coat, wo, square);
             if (lq_is_above(wi)) {
                 const float shown = lq_facets_masking_shadowing(surface.coat, wi, wo) /
                                     lq_facets_masking(surface.coat, wo);
@@ -156,7 +156,7 @@ LqAlbedo lq_plain_albedo(const LqPlainSurface surface, const vec3 wo, const int 
             }
         }
         if (surface.base == LQ_BASE_CONDUCTOR) {
-            const vec3 wi = lq_reflection_sample(surface.base_facets, wo, point);
+            const vec3 wi = lq_reflection_sample(surface.base_facets, wo, square);
             if (lq_is_above(wi)) {
                 const float shown = lq_facets_masking_shadowing(surface.base_facets, wi, wo) /
                                     lq_facets_masking(surface.base_facets, wo);

@@ -1,0 +1,14 @@
+// The comment that opens every generated text.
+#pragma once
+
+#include <string>
+
+#include "codegen/codegen.h"
+#include "codegen/variants.h"
+
+namespace lacquer::codegen {
+
+// What the file is, its licence, and the hash of the source that it was made from.
+std::string file_head(const ShaderFile& file, const Level& level, const std::string& source_sha256);
+
+}  // namespace lacquer::codegen

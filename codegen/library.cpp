@@ -1,0 +1,60 @@
+#include "codegen/library.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace lacquer::codegen {
+
+namespace {
+
+bool is_public(const Declaration& declaration) {
+    return declaration.kind == Declaration::Kind::function && declaration.name.starts_with("lq_");
+}
+
+// A call with arguments that were never set, in a scope of its own.
+std::string call(const Declaration& function) {
+    std::string locals;
+    std::string arguments;
+    for (const Parameter& parameter : function.parameters) {
+        locals += fmt::format("{} {}; ", parameter.type, parameter.name);
+        arguments += arguments.empty() ? "" : ", ";
+        arguments += parameter.name.substr(0, parameter.name.find('['));
+    }
+    return fmt::format("    {{ {}{}({}); }}\n", locals, function.name, arguments);
+}
+
+}  // namespace
+
+std::string library_entry(const std::string& source, const std::vector<SourceModule>& modules) {
+    std::string calls;
+    for (const SourceModule& module : modules)
+        for (const Declaration& declaration : module.declarations)
+            if (is_public(declaration)) calls += call(declaration);
+    return fmt::format(
+        "#version 450\n"
+        "#extension GL_GOOGLE_include_directive : require\n"
+        "#include \"{}\"\n"
+        "void main() {{\n{}}}\n",
+        source, calls);
+}
+
+std::vector<Function> public_functions(const text::Statements& statements,
+                                       const std::vector<SourceModule>& modules,
+                                       text::Dialect dialect) {
+    std::map<std::string, std::string> signatures;
+    for (const text::Statement& statement : statements) {
+        const text::Definition definition = definition_of(statement, dialect);
+        if (definition.kind == text::DefinitionKind::function)
+            signatures[definition.name] = join(statement.head);
+    }
+    std::vector<Function> functions;
+    for (const SourceModule& module : modules)
+        for (const Declaration& declaration : module.declarations)
+            if (is_public(declaration) && signatures.contains(declaration.name))
+                functions.push_back({declaration.name, signatures[declaration.name],
+                                     first_sentence(declaration.comment)});
+    return functions;
+}
+
+}  // namespace lacquer::codegen

@@ -1,0 +1,26 @@
+// The library form: functions without an entry point.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/codegen.h"
+#include "codegen/declarations.h"
+#include "codegen/text/tree.h"
+#include "codegen/variants.h"
+
+namespace lacquer::codegen {
+
+// The stage that library entries are compiled for: the one that every language has.
+inline constexpr Stage kLibraryStage = Stage::fragment;
+
+// GLSL that calls every function of `modules`, the last of which is `source`: compilers drop what
+// no entry point reaches.
+std::string library_entry(const std::string& source, const std::vector<SourceModule>& modules);
+
+// The public functions that `statements` define, with the first sentences of their documentation.
+std::vector<Function> public_functions(const text::Statements& statements,
+                                       const std::vector<SourceModule>& modules,
+                                       text::Dialect dialect);
+
+}  // namespace lacquer::codegen

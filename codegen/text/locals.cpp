@@ -1,0 +1,166 @@
+#include "codegen/text/locals.h"
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+
+namespace lacquer::codegen::text {
+
+namespace {
+
+// The part before `_1`; nothing where there is no such end.
+std::string base_of(const std::string& name) {
+    static const std::regex kNumbered{R"((.*[A-Za-z])_\d+)"};
+    std::smatch match;
+    return std::regex_match(name, match, kNumbered) ? match[1].str() : std::string{};
+}
+
+// The name declared by the tokens from `first` on; nothing where they declare none.
+std::string declared_by(const Tokens& tokens, std::size_t first, Dialect dialect) {
+    if (first + 1 >= tokens.size()) return {};
+    if (dialect == Dialect::wgsl) {
+        const bool declares = tokens[first].is("let") || tokens[first].is("var");
+        return declares ? tokens[first + 1].text : std::string{};
+    }
+    if (tokens[first].is("return") || tokens[first].is("else")) return {};
+    for (std::size_t i = first; i + 1 < tokens.size(); ++i) {
+        if (tokens[i].kind != TokenKind::identifier) return {};
+        if (tokens[i + 1].kind == TokenKind::identifier) continue;
+        const bool ends = tokens[i + 1].is("=") || tokens[i + 1].is("[");
+        return i > first && ends ? tokens[i].text : std::string{};
+    }
+    return tokens.size() - first > 1 && tokens.back().kind == TokenKind::identifier
+               ? tokens.back().text
+               : std::string{};
+}
+
+std::string declared_by(const Statement& statement, Dialect dialect) {
+    const bool loop = statement.starts_with("for") && statement.head.size() > 2;
+    if (statement.has_block && !loop) return {};
+    return declared_by(statement.head, loop ? 2 : 0, dialect);
+}
+
+class NameRestorer {
+ public:
+    NameRestorer(Dialect dialect, const std::vector<std::string>& reserved)
+        : dialect_{dialect}, reserved_{reserved} {}
+
+    void function(Statement& function) {
+        std::vector<std::string> visible;
+        Tokens& head = function.head;
+        for (std::size_t i = 0; i + 1 < head.size(); ++i) {
+            if (head[i].kind != TokenKind::identifier) continue;
+            if (dialect_ == Dialect::wgsl && head[i + 1].is(":")) {
+                const std::string base = base_of(head[i].text);
+                if (is_free(base, visible) && count_mentions(function, base) == 0)
+                    rename(function, std::string{head[i].text}, base);
+            }
+            visible.push_back(head[i].text);
+        }
+        list(function.body, visible);
+    }
+
+ private:
+    bool is_free(const std::string& base, const std::vector<std::string>& visible) const {
+        return !base.empty() && std::ranges::find(visible, base) == visible.end() &&
+               std::ranges::find(reserved_, base) == reserved_.end();
+    }
+
+    void list(Statements& statements, std::vector<std::string> visible) {
+        for (std::size_t i = 0; i < statements.size(); ++i) {
+            std::string name = declared_by(statements[i], dialect_);
+            const std::string base = base_of(name);
+            const std::size_t end = statements[i].has_block ? i + 1 : statements.size();
+            if (is_free(base, visible) && !mentioned(statements, i, end, base)) {
+                for (std::size_t k = i; k < end; ++k) rename(statements[k], name, base);
+                name = base;
+            }
+            std::vector<std::string> inner = visible;
+            if (!name.empty()) inner.push_back(name);
+            list(statements[i].body, inner);
+            if (!statements[i].has_block) visible = inner;
+        }
+    }
+
+    static bool mentioned(const Statements& statements, std::size_t first, std::size_t last,
+                          const std::string& name) {
+        for (std::size_t i = first; i < last; ++i)
+            if (count_mentions(statements[i], name) > 0) return true;
+        return false;
+    }
+
+    Dialect dialect_;
+    const std::vector<std::string>& reserved_;
+};
+
+bool is_nameless(const std::string& name) {
+    return name.size() > 1 && name[0] == '_' &&
+           std::isdigit(static_cast<unsigned char>(name[1])) != 0;
+}
+
+// "LqPlainSurface" as "plain_surface".
+std::string snake_case(std::string_view type) {
+    if (type.starts_with("Lq")) type.remove_prefix(2);
+    std::string name;
+    for (const char c : type) {
+        const bool upper = std::isupper(static_cast<unsigned char>(c)) != 0;
+        if (upper && !name.empty()) name += '_';
+        name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return name;
+}
+
+// `wished`, or it with a letter at its end where the function knows that name already.
+std::string unused_name(const Statement& function, const std::string& wished) {
+    if (count_mentions(function, wished) == 0) return wished;
+    for (char letter = 'b'; letter <= 'z'; ++letter) {
+        const std::string name = wished + '_' + letter;
+        if (count_mentions(function, name) == 0) return name;
+    }
+    return wished + "_more";
+}
+
+}  // namespace
+
+void restore_names(Statement& function, Dialect dialect, const std::vector<std::string>& reserved) {
+    NameRestorer{dialect, reserved}.function(function);
+}
+
+void name_locals(Statement& function, Dialect dialect) {
+    for_each_list(function.body, [&](Statements& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const std::string name = declared_by(list[i], dialect);
+            if (!is_nameless(name)) continue;
+            const bool returned = i + 1 < list.size() && list[i + 1].head.size() == 2 &&
+                                  list[i + 1].starts_with("return") && list[i + 1].head[1].is(name);
+            const std::string type = list[i].head[0].text;
+            const std::string better =
+                unused_name(function, returned ? "result" : snake_case(type));
+            rename(function.body, name, better);
+        }
+    });
+}
+
+void join_else_if(Statements& statements) {
+    for_each_list(statements, [](Statements& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            Statement& outer = list[i];
+            if (!outer.starts_with("else") || outer.head.size() != 1 || outer.body.empty())
+                continue;
+            const Statements& inner = outer.body;
+            const bool chain = inner[0].starts_with("if") &&
+                               std::all_of(inner.begin() + 1, inner.end(), [](const Statement& s) {
+                                   return s.starts_with("else");
+                               });
+            if (!chain) continue;
+            Statements joined = inner;
+            joined[0].head.front().space = true;
+            joined[0].head.insert(joined[0].head.begin(), outer.head.front());
+            list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
+            list.insert(list.begin() + static_cast<std::ptrdiff_t>(i), joined.begin(),
+                        joined.end());
+        }
+    });
+}
+
+}  // namespace lacquer::codegen::text
