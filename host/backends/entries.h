@@ -16,6 +16,7 @@ extern const BackendEntry kHlslEntry;
 extern const BackendEntry kWgpuEntry;
 extern const BackendEntry kDawnEntry;
 extern const BackendEntry kMslEntry;
+extern const BackendEntry kHlslFxcEntry;
 
 // Whether `attempt` succeeds, which returns the device or throws what this machine lacks. Trying is
 // the only test that tells the truth about drivers.

@@ -10,9 +10,9 @@
 namespace lacquer {
 
 std::span<const BackendEntry> all_backends() {
-    static const std::array entries{kReferenceEntry, kCppEntry,  kVulkanEntry,
-                                    kGlslEntry,      kEsslEntry, kHlslEntry,
-                                    kWgpuEntry,      kDawnEntry, kMslEntry};
+    static const std::array entries{kReferenceEntry, kCppEntry,    kVulkanEntry, kGlslEntry,
+                                    kEsslEntry,      kHlslEntry,   kWgpuEntry,   kDawnEntry,
+                                    kMslEntry,       kHlslFxcEntry};
     return entries;
 }
 

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "backends/entries.h"
-#include "backends/float_backend.h"
-#include "backends/shader_store.h"
-#include "backends/webgpu_process.h"
+#include "backends/node_packages.h"
+#include "backends/runner_kernels.h"
+#include "backends/runner_process.h"
 #include "core/environment.h"
 #include "core/error.h"
 #include "core/paths.h"
@@ -20,10 +20,6 @@ namespace {
 
 constexpr const char* kSwiftShaderManifest = "/usr/lib/chromium/vk_swiftshader_icd.json";
 
-fs::path runner_folder() {
-    return share_folder() / "node" / "webgpu";
-}
-
 // The processor as npm packages name it.
 std::string_view npm_architecture() {
 #if defined(__aarch64__)
@@ -33,30 +29,20 @@ std::string_view npm_architecture() {
 #endif
 }
 
-// A file that an npm package brings.
-fs::path require_package_file(const fs::path& relative) {
-    const fs::path file = runner_folder() / "node_modules" / relative;
-    if (!fs::exists(file))
-        throw Unavailable{fmt::format("'{}' is missing", file.string()),
-                          fmt::format("npm ci --ignore-scripts --prefix '{}'",
-                                      fs::weakly_canonical(runner_folder()).string())};
-    return file;
-}
-
 // wgpu in Deno, on lavapipe or the Vulkan driver that the user chose.
-std::unique_ptr<WebgpuProcess> start_wgpu() {
+std::unique_ptr<RunnerProcess> start_wgpu() {
     const fs::path deno =
         require_package_file(fmt::format("@deno/linux-{}-glibc/deno", npm_architecture()));
     ScopedEnvironment environment;
     vulkan::show_default_driver(environment);
     environment.set("DENO_NO_UPDATE_CHECK", "1");
     environment.set("DENO_WEBGPU_BACKEND", "vulkan");  // or it would make do with OpenGL
-    const WebgpuProgram program{
+    const RunnerProgram program{
         deno,
         {"run", "--unstable-webgpu", "--no-config", "--no-lock", "--no-remote", "--no-npm",
          "--no-prompt", (runner_folder() / "runner.mjs").string()}};
     try {
-        return std::make_unique<WebgpuProcess>(program);
+        return std::make_unique<RunnerProcess>(program);
     } catch (const Error& error) {
         const auto choice = vulkan::users_driver_choice();
         if (!choice) throw;
@@ -79,43 +65,17 @@ fs::path swiftshader_manifest() {
 }
 
 // Dawn in Node, on SwiftShader.
-std::unique_ptr<WebgpuProcess> start_dawn() {
+std::unique_ptr<RunnerProcess> start_dawn() {
     const auto node = node_program();
     if (!node) throw Unavailable{"Node.js is missing", node_missing_message()};
     require_package_file(fmt::format("webgpu/dist/linux-{}/dawn.node", npm_architecture()));
     ScopedEnvironment environment;
     vulkan::show_driver(environment, swiftshader_manifest());
-    return std::make_unique<WebgpuProcess>(
-        WebgpuProgram{*node, {(runner_folder() / "runner.mjs").string()}});
+    return std::make_unique<RunnerProcess>(
+        RunnerProgram{*node, {(runner_folder() / "runner.mjs").string()}});
 }
 
-using Start = std::unique_ptr<WebgpuProcess> (*)();
-
-class WebgpuBackend final : public FloatBackend {
- public:
-    explicit WebgpuBackend(std::unique_ptr<WebgpuProcess> process) : process_{std::move(process)} {}
-
-    std::string device() const override { return process_->adapter(); }
-
- private:
-    static std::string name_of(Model model, Kernel kernel) {
-        return fmt::format("{}_{}", model_name(model), kernel_shape(kernel).name);
-    }
-
-    void compile(Model model, Kernel kernel) override {
-        const ShaderSource source = load_shader("wgsl", model, kernel);
-        process_->compile(name_of(model, kernel), source.contents, source.entry_point,
-                          kernel_argument_kinds());
-    }
-
-    std::optional<double> execute(const Dispatch& dispatch, std::span<glm::vec4> results) override {
-        process_->run(name_of(dispatch.model, dispatch.kernel), kernel_arguments(dispatch, results),
-                      dispatch.workgroups());
-        return std::nullopt;
-    }
-
-    std::unique_ptr<WebgpuProcess> process_;
-};
+using Start = std::unique_ptr<RunnerProcess> (*)();
 
 template <Start start>
 Availability probe(const BackendOptions&) {
@@ -128,7 +88,7 @@ Availability probe(const BackendOptions&) {
 template <Start start>
 std::unique_ptr<Backend> create(const BackendOptions&) {
     ensure_runtime_folder();
-    return std::make_unique<WebgpuBackend>(start());
+    return std::make_unique<RunnerKernels>(start(), "wgsl");
 }
 
 }  // namespace

@@ -138,7 +138,12 @@ TEST_F(Probe, MissesSwiftShader) {
 
 TEST_F(Probe, MissesNodePackages) {
     environment_.set("LACQUER_SHARE", folder_.path().string());
-    expect_missing(before_, {"wgsl-wgpu", "wgsl-dawn"}, "is missing", "npm ci");
+    expect_missing(before_, {"wgsl-wgpu", "wgsl-dawn", "hlsl-fxc"}, "is missing", "npm ci");
+}
+
+TEST_F(Probe, MissesXvfb) {
+    environment_.set("PATH", "/nonexistent");
+    expect_missing(before_, {"hlsl-fxc"}, "is missing", "apt-get install");
 }
 
 TEST_F(Probe, MissesTheModuleOfMetalKernels) {

@@ -1,4 +1,4 @@
-#include "backends/webgpu_process.h"
+#include "backends/runner_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -74,7 +74,7 @@ std::string_view kind_name(BufferArgument::Kind kind) {
 
 }  // namespace
 
-struct WebgpuProcess::Impl {
+struct RunnerProcess::Impl {
     std::string program;
     bp::pipe input = private_pipe();   // of the process
     bp::pipe output = private_pipe();  // of the process
@@ -82,7 +82,7 @@ struct WebgpuProcess::Impl {
     bp::child child;
     std::string adapter;
 
-    explicit Impl(const WebgpuProgram& what);
+    explicit Impl(const RunnerProgram& what);
     ~Impl();
     void write(std::span<const std::byte> bytes);
     void read(std::span<std::byte> bytes);
@@ -91,7 +91,7 @@ struct WebgpuProcess::Impl {
     [[noreturn]] void throw_last_words();
 };
 
-WebgpuProcess::Impl::Impl(const WebgpuProgram& what) : program{what.program.string()} {
+RunnerProcess::Impl::Impl(const RunnerProgram& what) : program{what.program.string()} {
     if (!errors) throw Error{"a temporary file cannot be created"};
     try {
         child = bp::child{bp::exe = program, bp::args = what.arguments,
@@ -99,16 +99,16 @@ WebgpuProcess::Impl::Impl(const WebgpuProgram& what) : program{what.program.stri
     } catch (const bp::process_error& error) {
         throw Error{fmt::format("starting '{}': {}", program, error.code().message())};
     }
-    adapter = answer().at("adapter");
+    adapter = answer().value("adapter", "");
 }
 
-WebgpuProcess::Impl::~Impl() {
+RunnerProcess::Impl::~Impl() {
     std::error_code ignored;  // it may be gone already
     input.close();
     if (!child.wait_for(kPatience, ignored)) child.terminate(ignored);
 }
 
-void WebgpuProcess::Impl::write(std::span<const std::byte> bytes) {
+void RunnerProcess::Impl::write(std::span<const std::byte> bytes) {
     const IgnoredBrokenPipe guard;
     while (!bytes.empty()) {
         const ssize_t count = ::write(input.native_sink(), bytes.data(), bytes.size());
@@ -118,7 +118,7 @@ void WebgpuProcess::Impl::write(std::span<const std::byte> bytes) {
     }
 }
 
-void WebgpuProcess::Impl::read(std::span<std::byte> bytes) {
+void RunnerProcess::Impl::read(std::span<std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t count = ::read(output.native_source(), bytes.data(), bytes.size());
         if (count < 0 && errno == EINTR) continue;
@@ -127,7 +127,7 @@ void WebgpuProcess::Impl::read(std::span<std::byte> bytes) {
     }
 }
 
-void WebgpuProcess::Impl::throw_last_words() {
+void RunnerProcess::Impl::throw_last_words() {
     std::error_code ignored;
     if (!child.wait_for(kPatience, ignored)) child.terminate(ignored);
     std::fseek(errors.get(), 0, SEEK_END);
@@ -139,7 +139,7 @@ void WebgpuProcess::Impl::throw_last_words() {
         fmt::format("'{}' ended (status {}): {}", program, child.native_exit_code(), words)};
 }
 
-void WebgpuProcess::Impl::request(const json& request, std::span<const BufferArgument> arguments) {
+void RunnerProcess::Impl::request(const json& request, std::span<const BufferArgument> arguments) {
     const std::string text = request.dump();
     const auto size = static_cast<std::uint32_t>(text.size());
     write(std::as_bytes(std::span{&size, 1}));
@@ -147,27 +147,28 @@ void WebgpuProcess::Impl::request(const json& request, std::span<const BufferArg
     for (const BufferArgument& argument : arguments) write(argument.bytes);
 }
 
-json WebgpuProcess::Impl::answer() {
+json RunnerProcess::Impl::answer() {
     std::uint32_t size = 0;
     read(std::as_writable_bytes(std::span{&size, 1}));
     if (size > kMaxAnswerSize) throw Error{fmt::format("'{}' wrote no answer", program)};
     std::string text(size, '\0');
     read(std::as_writable_bytes(std::span{text}));
-    const json answer = json::parse(text);
+    json answer = json::parse(text, nullptr, /*allow_exceptions=*/false);
+    if (!answer.is_object()) throw Error{fmt::format("'{}' wrote no answer", program)};
     if (const auto error = answer.find("error"); error != answer.end())
-        throw Error{fmt::format("WebGPU: {}", error->get<std::string>())};
+        throw Error{error->get<std::string>()};
     return answer;
 }
 
-WebgpuProcess::WebgpuProcess(const WebgpuProgram& program)
+RunnerProcess::RunnerProcess(const RunnerProgram& program)
     : impl_{std::make_unique<Impl>(program)} {}
-WebgpuProcess::~WebgpuProcess() = default;
+RunnerProcess::~RunnerProcess() = default;
 
-const std::string& WebgpuProcess::adapter() const {
+const std::string& RunnerProcess::adapter() const {
     return impl_->adapter;
 }
 
-void WebgpuProcess::compile(const std::string& kernel, const std::string& source,
+void RunnerProcess::compile(const std::string& kernel, const std::string& source,
                             const std::string& entry_point,
                             std::span<const BufferArgument::Kind> kinds) {
     json names = json::array();
@@ -180,7 +181,12 @@ void WebgpuProcess::compile(const std::string& kernel, const std::string& source
     impl_->answer();
 }
 
-void WebgpuProcess::run(const std::string& kernel, std::span<const BufferArgument> arguments,
+void RunnerProcess::check(const std::string& source, const std::string& entry_point) {
+    impl_->request({{"operation", "check"}, {"source", source}, {"entry_point", entry_point}});
+    impl_->answer();
+}
+
+void RunnerProcess::run(const std::string& kernel, std::span<const BufferArgument> arguments,
                         std::uint32_t groups) {
     json buffers = json::array();
     for (const BufferArgument& argument : arguments)
