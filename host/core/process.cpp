@@ -29,4 +29,10 @@ ProcessResult run_process(const std::filesystem::path& program,
     }
 }
 
+std::optional<std::filesystem::path> find_program(const std::string& name) {
+    const auto found = bp::search_path(name);
+    if (found.empty()) return std::nullopt;
+    return found.string();
+}
+
 }  // namespace lacquer

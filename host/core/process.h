@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,5 +19,8 @@ struct ProcessResult {
 // the program cannot be started.
 ProcessResult run_process(const std::filesystem::path& program,
                           const std::vector<std::string>& arguments, const std::string& input = {});
+
+// The program of that name on the PATH; nothing where there is none.
+std::optional<std::filesystem::path> find_program(const std::string& name);
 
 }  // namespace lacquer
