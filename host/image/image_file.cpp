@@ -38,6 +38,10 @@ void require_image_output(const std::filesystem::path& file) {
     require_writable(file);
 }
 
+bool is_display_format(const std::filesystem::path& file) {
+    return format_of(file) == Format::png;
+}
+
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata) {
     const auto format = format_of(file);
     if (!format) throw UsageError{format_message("writing", file)};

@@ -12,6 +12,9 @@ namespace lacquer {
 // be written: what a command checks before it computes.
 void require_image_output(const std::filesystem::path& file);
 
+// Whether `file` holds what a display shows (.png), not linear numbers.
+bool is_display_format(const std::filesystem::path& file);
+
 // Writes linear floats with `metadata` (.exr), or what a display shows (.png; see display.h). The
 // file appears whole or not at all.
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata);
