@@ -1,0 +1,32 @@
+// How far each backend may be from the reference: the one place where that is said.
+#pragma once
+
+#include <string_view>
+
+namespace lacquer {
+
+// Limits on the relative errors over the queries of one material, see compare/metrics.h. A result
+// that is not finite exceeds every limit.
+struct Tolerance {
+    double max_rel;
+    double median_rel;
+};
+
+// The median is that of a formula free of cancellation. One rounding to float is off by at most
+// u = 2^-24 = 6.0e-8; a value of the BRDF comes from some 50 roundings, whose errors add like a
+// random walk, sqrt(50) u / sqrt(3) = 2.4e-7 for the spread of uniform roundings. 3e-7 leaves room
+// for the last digit of a language's own square root and division (2.5 u each in Vulkan and WGSL).
+//
+// The maximum is that of the worst-conditioned place: the flank of a narrow lobe, where the
+// distribution answers to the slope t of the microfacet normal with d ln D / dt = 4 t / (a^2 + t^2)
+// <= 2 / a. The slope carries about 4 u of absolute error, so that a = 5e-3, narrower than any
+// bundled material, gives 9.5e-5.
+inline constexpr Tolerance kFloatTolerance{1e-4, 3e-7};
+
+// The tolerance of the backend of that name. All have the same one so far: a language that needs
+// more is a formula to mend, or a reason to be written here.
+constexpr Tolerance tolerance_of(std::string_view /*backend*/) {
+    return kFloatTolerance;
+}
+
+}  // namespace lacquer
