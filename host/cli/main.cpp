@@ -16,12 +16,19 @@ constexpr int kFailure = 1;
 constexpr int kUsage = 2;
 
 void add_commands(CLI::App& app) {
+    lacquer::add_compare_command(app);
+    lacquer::add_bench_command(app);
+    lacquer::add_eval_command(app);
+    lacquer::add_albedo_command(app);
+    lacquer::add_slice_command(app);
+    lacquer::add_sphere_command(app);
 #ifdef LACQUER_HAS_EXPORT
     lacquer::add_export_command(app);
 #endif
 #ifdef LACQUER_HAS_VIEWER
     lacquer::add_view_command(app);
 #endif
+    lacquer::add_doctor_command(app);
     app.require_subcommand(1);
 }
 

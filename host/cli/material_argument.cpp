@@ -12,6 +12,14 @@ namespace lacquer {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+bool looks_like_path(const std::string& argument) {
+    return argument.find_first_of("./") != std::string::npos;
+}
+
+}  // namespace
+
 std::vector<fs::path> bundled_material_files() {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator{share_file("materials")})
@@ -27,8 +35,11 @@ fs::path material_file(const std::string& argument) {
         if (file.stem() == argument) return file;
         names.push_back(file.stem().string());
     }
-    throw Error{fmt::format("'{}' is neither a file nor a bundled material; there are: {}",
-                            argument, fmt::join(names, ", "))};
+    const std::string message =
+        fmt::format("'{}' is neither a file nor a bundled material; there are: {}", argument,
+                    fmt::join(names, ", "));
+    if (looks_like_path(argument)) throw Error{message};
+    throw UsageError{message};
 }
 
 }  // namespace lacquer

@@ -11,7 +11,7 @@ namespace lacquer {
 std::vector<std::filesystem::path> bundled_material_files();
 
 // The file that `argument` means: a file's path, or the name of a bundled material ("gold"). Throws
-// Error listing the bundled ones where there is neither.
+// Error listing the bundled ones where there is neither; UsageError where it can only be a name.
 std::filesystem::path material_file(const std::string& argument);
 
 }  // namespace lacquer

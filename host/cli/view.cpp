@@ -23,8 +23,9 @@ constexpr int kMaxFrames = 1'000'000;
 constexpr double kUnitTolerance = 1e-5;
 constexpr const char* kDefaultMaterial = "vermilion_lacquer";
 
+constexpr const char* kSummary = "Show a sphere in a window, shaded by the generated SPIR-V";
+
 constexpr const char* kHelp =
-    "Shows a sphere of a material in a window, shaded by the generated SPIR-V.\n\n"
     "Drag with the mouse to move the highlight; choose a material with the arrow keys or 1 to 0;\n"
     "R turns the two lights behind the sphere on and off; Escape closes the window.\n\n"
     "Examples:\n"
@@ -77,7 +78,7 @@ void run(Arguments& arguments) {
 void add_view_command(CLI::App& app) {
     auto arguments = std::make_shared<Arguments>();
     viewer::Options& options = arguments->options;
-    CLI::App* command = app.add_subcommand("view", kHelp);
+    CLI::App* command = app.add_subcommand("view", kSummary)->footer(kHelp);
     command->add_option("--material", arguments->material, "Material file, or a bundled name")
         ->capture_default_str();
     command->add_option("--device", options.device,
