@@ -21,6 +21,12 @@ std::string_view target_name(Target target);  // as on the command line and in p
 std::string_view form_name(Form form);
 std::span<const Target> all_targets();
 
+std::vector<std::string_view> level_names();
+
+// Throw UsageError listing the names there are.
+Target target_from_name(std::string_view name);
+Form form_from_name(std::string_view name);
+
 struct Binding {
     std::string name;
     unsigned set = 0, binding = 0;
@@ -50,7 +56,7 @@ struct ShaderFile {
     std::vector<EntryPoint> entry_points;
     std::vector<Function> functions;
     std::vector<Binding> bindings;
-    std::size_t instruction_count = 0;  // of the SPIR-V it was translated from
+    std::size_t instruction_count = 0;  // in functions of the SPIR-V it was translated from
     std::string sha256;
 };
 
@@ -76,8 +82,9 @@ struct WgslAvailability {
 WgslAvailability wgsl_availability();
 
 // Generates everything asked for; the same request gives the same bytes. Throws UsageError for an
-// unknown level, Error with file, line and the compiler's message where a source does not compile,
-// and Error with the reason where WGSL is asked for and not available.
+// unknown level and where nothing is of the target and form asked for, Error with file, line and
+// the compiler's message where a source does not compile, and Error with the reason where WGSL is
+// asked for and not available.
 Package generate(const Request& request);
 
 // The manifest of a package as JSON text; its schema is manifest.schema.json.

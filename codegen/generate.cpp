@@ -126,7 +126,8 @@ ShaderFile make_file(const Variant& variant, const CompiledVariant& compiled, Ta
     file.form = variant.form;
     file.level = variant.level->name;
     file.kernel = variant.source.kernel;
-    file.instruction_count = instruction_count(SpirvModule{compiled.words});
+    file.instruction_count =
+        instruction_count(SpirvModule{compiled.words}, variant.form == Form::kernel);
     if (file.form == Form::kernel) {
         const Reflection reflection = reflect(compiled.words);
         file.entry_points = reflection.entry_points;
@@ -161,6 +162,14 @@ std::vector<Variant> chosen_variants(const SourceTree& tree, const Request& requ
     return variants;
 }
 
+// Throws UsageError where what was asked for exists in no language.
+void require_any(std::size_t file_count) {
+    if (file_count > 0) return;
+    throw UsageError{fmt::format(
+        "no variant is of that target and form: {} has no library form, {} no compute kernels",
+        target_name(Target::spirv), target_name(Target::essl300))};
+}
+
 std::vector<Target> chosen_targets(const Request& request, const Variant& variant) {
     std::vector<Target> targets;
     for (const Target target : all_targets()) {
@@ -193,8 +202,10 @@ Package generate(const Request& request) {
     require_naga(request);
     const SourceTree tree{request.source_root};
     const std::vector<Variant> variants = chosen_variants(tree, request);
-    std::size_t total = variants.size();
+    std::size_t total = 0;
     for (const Variant& variant : variants) total += chosen_targets(request, variant).size();
+    require_any(total);
+    total += variants.size();
     std::size_t done = 0;
     const auto report = [&] {
         if (request.progress) request.progress(done, total);

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
 #include <set>
 #include <sstream>
 
 #include "codegen/sha256.h"
 #include "core/error.h"
+#include "core/file.h"
 
 namespace lacquer::codegen {
 
@@ -18,14 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kShaderExtensions[] = {".glsl", ".comp", ".vert", ".frag"};
-
-std::string read_file(const fs::path& path) {
-    std::ifstream stream{path, std::ios::binary};
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (!stream) throw Error{fmt::format("reading '{}' failed", path.string())};
-    return text.str();
-}
 
 // The file named by a line `#include "..."`, or nothing.
 std::string included_file(std::string_view line) {

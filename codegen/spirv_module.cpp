@@ -1,6 +1,7 @@
 #include "codegen/spirv_module.h"
 
 #include <cstring>
+#include <set>
 #include <spirv-tools/libspirv.hpp>
 
 #include "core/error.h"
@@ -61,13 +62,16 @@ Words string_literal(const std::string& text) {
     return words;
 }
 
-std::size_t instruction_count(const SpirvModule& module) {
+std::size_t instruction_count(const SpirvModule& module, bool entry_points) {
+    std::set<std::uint32_t> entries;
     std::size_t count = 0;
-    bool inside = false;
+    bool counting = false;
     for (const Instruction& instruction : module.instructions) {
-        inside = inside || instruction.op == spv::OpFunction;
-        count += inside ? 1 : 0;
-        if (instruction.op == spv::OpFunctionEnd) inside = false;
+        if (instruction.op == spv::OpEntryPoint) entries.insert(instruction.operands[1]);
+        if (instruction.op == spv::OpFunction)
+            counting = entry_points || !entries.contains(instruction.result);
+        count += counting ? 1 : 0;
+        if (instruction.op == spv::OpFunctionEnd) counting = false;
     }
     return count;
 }

@@ -35,7 +35,8 @@ std::string literal_string(const Instruction& instruction, std::size_t first);
 // `text` as operands.
 Words string_literal(const std::string& text);
 
-// Instructions within functions: what is executed, counted once however often it runs.
-std::size_t instruction_count(const SpirvModule& module);
+// Instructions within functions, counted once however often they run; those of entry points only
+// where they are part of what is counted.
+std::size_t instruction_count(const SpirvModule& module, bool entry_points);
 
 }  // namespace lacquer::codegen

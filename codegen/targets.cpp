@@ -1,6 +1,10 @@
 #include "codegen/targets.h"
 
+#include <fmt/format.h>
+
 #include <array>
+
+#include "core/error.h"
 
 namespace lacquer::codegen {
 
@@ -39,6 +43,21 @@ std::string_view form_name(Form form) {
 
 std::span<const Target> all_targets() {
     return kTargetList;
+}
+
+Target target_from_name(std::string_view name) {
+    std::string known;
+    for (const TargetEntry& entry : kTargets) {
+        if (entry.name == name) return entry.target;
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", entry.name);
+    }
+    throw UsageError{fmt::format("target '{}' is not one of: {}", name, known)};
+}
+
+Form form_from_name(std::string_view name) {
+    for (const Form form : {Form::kernel, Form::library})
+        if (form_name(form) == name) return form;
+    throw UsageError{fmt::format("form '{}' is not one of: kernel, library", name)};
 }
 
 }  // namespace lacquer::codegen

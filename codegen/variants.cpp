@@ -39,6 +39,12 @@ std::span<const Level> all_levels() {
     return kLevels;
 }
 
+std::vector<std::string_view> level_names() {
+    std::vector<std::string_view> names;
+    for (const Level& level : kLevels) names.push_back(level.name);
+    return names;
+}
+
 const Level& level_from_name(std::string_view name) {
     std::string known;
     for (const Level& level : kLevels) {

@@ -1,10 +1,9 @@
 // A package to disk: everything is written aside and moved into place at the end.
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "codegen/codegen.h"
 #include "core/error.h"
+#include "core/file.h"
 
 namespace lacquer::codegen {
 
@@ -29,10 +28,7 @@ class StagingFolder {
     void add(const fs::path& relative, const std::string& contents) const {
         const fs::path file = path_ / relative;
         fs::create_directories(file.parent_path());
-        std::ofstream stream{file, std::ios::binary};
-        stream << contents;
-        stream.close();
-        if (!stream) throw Error{fmt::format("writing '{}' failed", file.string())};
+        write_file(file, contents);
     }
 
     void move_out(const fs::path& relative, const fs::path& folder) const {
@@ -56,13 +52,18 @@ void write_files(const Package& package, const fs::path& folder) {
 }  // namespace
 
 void write(const Package& package, const fs::path& folder) {
-    const bool existed = fs::exists(folder);
+    std::error_code ignored;
+    const bool existed = fs::exists(folder, ignored);
+    const auto failure = [&](const std::string& reason) {
+        if (!existed) fs::remove(folder, ignored);
+        return Error{fmt::format("writing shaders to '{}': {}", folder.string(), reason)};
+    };
     try {
         write_files(package, folder);
-    } catch (const std::exception& error) {
-        std::error_code ignored;
-        if (!existed) fs::remove(folder, ignored);
-        throw Error{fmt::format("writing shaders to '{}': {}", folder.string(), error.what())};
+    } catch (const fs::filesystem_error& error) {
+        throw failure(fmt::format("{}: {}", error.path1().string(), error.code().message()));
+    } catch (const Error& error) {
+        throw failure(error.what());
     }
 }
 
