@@ -3,12 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/material_argument.h"
+#include "cli/options.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "viewer/viewer.h"
@@ -20,7 +19,6 @@ namespace {
 constexpr int kMinSize = 64;
 constexpr int kMaxSize = 4096;
 constexpr int kMaxFrames = 1'000'000;
-constexpr double kUnitTolerance = 1e-5;
 constexpr const char* kDefaultMaterial = "vermilion_lacquer";
 
 constexpr const char* kSummary = "Show a sphere in a window, shaded by the generated SPIR-V";
@@ -36,18 +34,9 @@ constexpr const char* kHelp =
 struct Arguments {
     std::string material = kDefaultMaterial;
     std::vector<double> light;
+    BackendOptions device;
     viewer::Options options;
 };
-
-glm::vec3 unit_direction(const std::vector<double>& numbers) {
-    const glm::dvec3 direction{numbers[0], numbers[1], numbers[2]};
-    const double length = glm::length(direction);
-    if (!(std::abs(length - 1.0) <= kUnitTolerance))
-        throw UsageError{fmt::format("--light {},{},{} has length {:.6g}, expected 1 within {}",
-                                     direction.x, direction.y, direction.z, length,
-                                     kUnitTolerance)};
-    return glm::vec3{direction};
-}
 
 // All bundled materials, and before them the chosen one where it is none of these.
 void load_materials(const std::string& argument, viewer::Options& options) {
@@ -62,7 +51,9 @@ void load_materials(const std::string& argument, viewer::Options& options) {
 
 void run(Arguments& arguments) {
     viewer::Options& options = arguments.options;
-    if (!arguments.light.empty()) options.light = unit_direction(arguments.light);
+    if (!arguments.light.empty()) options.light = unit_direction("--light", arguments.light);
+    options.device = arguments.device.device;
+    options.validation = arguments.device.validation;
     if (!options.screenshot.empty()) {
         if (options.screenshot.extension() != ".png")
             throw UsageError{fmt::format("--screenshot {}: the extension is not .png",
@@ -81,8 +72,7 @@ void add_view_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("view", kSummary)->footer(kHelp);
     command->add_option("--material", arguments->material, "Material file, or a bundled name")
         ->capture_default_str();
-    command->add_option("--device", options.device,
-                        "Part of a Vulkan device's name, or its index (default: lavapipe)");
+    add_device_options(*command, arguments->device);
     command
         ->add_option("--light", arguments->light,
                      "Unit direction X,Y,Z towards the only light; x points right, y up, z to "
@@ -96,8 +86,6 @@ void add_view_command(CLI::App& app) {
         ->check(CLI::Range(1, kMaxFrames));
     command->add_option("--screenshot", options.screenshot,
                         "Show no window, write its last frame to this PNG file and end");
-    command->add_flag("--validation", options.validation,
-                      "Turn the Vulkan validation layers on; any message of theirs is an error");
     command->callback([arguments] { run(*arguments); });
 }
 

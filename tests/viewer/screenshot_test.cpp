@@ -1,0 +1,126 @@
+// Screenshots of the viewer against pictures of the C++ reference.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "backends/backend.h"
+#include "compare/grids.h"
+#include "core/environment.h"
+#include "core/paths.h"
+#include "core/process.h"
+#include "image/display.h"
+#include "image/image_file.h"
+
+namespace lacquer {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A window whose sphere, of 4/5 its size, is as large as the reference's picture.
+constexpr int kSphereSize_px = 256;
+constexpr int kWindowSize_px = 320;
+constexpr int kMargin_px = (kWindowSize_px - kSphereSize_px) / 2;
+
+// The viewer smooths the sphere's edge over one pixel, the reference does not.
+constexpr double kEdge_px = 1.0;
+
+// One level for the rounding of either side, which may fall on different sides of a half.
+constexpr int kTolerance_levels = 2;
+
+const glm::dvec3 kLight{-0.48, 0.64, 0.6};
+
+struct Screenshot : testing::TestWithParam<const char*> {};
+
+ProcessResult view(const std::vector<std::string>& options, const fs::path& screenshot) {
+    std::vector<std::string> arguments{"-a",           LACQUER_PROGRAM, "view",
+                                       "--validation", "--screenshot",  screenshot.string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_process(LACQUER_XVFB_RUN, arguments);
+}
+
+std::vector<DisplayColor> reference_picture(const std::string& name) {
+    const Material material = load_material(share_file("materials/" + name + ".json"));
+    const QueryGrid grid = sphere_grid("sphere", kLight, kSphereSize_px);
+    const auto backend = backend_from_name("reference").create({});
+    const Job job{.kernel = grid.kernel,
+                  .materials = std::span{&material, 1},
+                  .queries_per_material = grid.query_count(),
+                  .inputs = grid.inputs,
+                  .parameters = grid.parameters};
+    return display_pixels(paint(grid, backend->run(job).rows));
+}
+
+bool is_inside_the_edge(int x, int y) {
+    const double centre = 0.5 * kSphereSize_px;
+    return std::hypot(x + 0.5 - centre, y + 0.5 - centre) < centre - kEdge_px;
+}
+
+int levels(float channel) {
+    return static_cast<int>(std::lround(255.0f * channel));
+}
+
+int difference(const glm::vec4& shown, const DisplayColor& expected) {
+    return std::max({std::abs(levels(shown.r) - expected.r), std::abs(levels(shown.g) - expected.g),
+                     std::abs(levels(shown.b) - expected.b)});
+}
+
+TEST_P(Screenshot, is_the_reference_s_picture_of_the_material) {
+    if (std::string{LACQUER_XVFB_RUN}.empty()) GTEST_SKIP() << "xvfb-run is not installed";
+    const std::string material = GetParam();
+    const fs::path file = fs::path{LACQUER_SCREENSHOTS} / (material + ".png");
+    const ProcessResult result =
+        view({"--material", material, "--size", std::to_string(kWindowSize_px), "--light",
+              fmt::format("{},{},{}", kLight.x, kLight.y, kLight.z)},
+             file);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Image shown = read_image(file);
+    ASSERT_EQ(shown.width, kWindowSize_px);
+    ASSERT_EQ(shown.height, kWindowSize_px);
+    const std::vector<DisplayColor> expected = reference_picture(material);
+    int largest = 0;
+    for (int y = 0; y < kSphereSize_px; ++y)
+        for (int x = 0; x < kSphereSize_px; ++x)
+            if (is_inside_the_edge(x, y))
+                largest = std::max(largest, difference(shown.at(x + kMargin_px, y + kMargin_px),
+                                                       expected[y * kSphereSize_px + x]));
+    EXPECT_LE(largest, kTolerance_levels);
+}
+
+INSTANTIATE_TEST_SUITE_P(Materials, Screenshot,
+                         testing::Values("gold", "aluminium", "porcelain", "frosted_glass",
+                                         "lacquered_copper"),
+                         [](const auto& test) { return std::string{test.param}; });
+
+TEST(View, draws_frame_after_frame_without_validation_messages) {
+    if (std::string{LACQUER_XVFB_RUN}.empty()) GTEST_SKIP() << "xvfb-run is not installed";
+    const fs::path file = fs::path{LACQUER_SCREENSHOTS} / "frames.png";
+    const ProcessResult result = view({"--frames", "5", "--size", "128"}, file);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(fs::exists(file));
+}
+
+TEST(View, says_that_there_is_no_display) {
+    ScopedEnvironment environment;
+    environment.unset("DISPLAY");
+    environment.unset("WAYLAND_DISPLAY");
+    const ProcessResult result = run_process(LACQUER_PROGRAM, {"view", "--frames", "1"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.err.find("no window can be opened"), std::string::npos) << result.err;
+}
+
+TEST(View, refuses_a_light_that_is_no_unit_direction) {
+    const ProcessResult result = run_process(LACQUER_PROGRAM, {"view", "--light", "1,1,1"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("--light: (1, 1, 1) has length 1.73205"), std::string::npos)
+        << result.err;
+}
+
+}  // namespace
+}  // namespace lacquer
