@@ -30,6 +30,7 @@ text::Statements emit_glsl(const Words& words, Target target) {
     spirv_cross::CompilerGLSL::Options options;
     options.version = glsl_version(target);
     options.es = target != Target::glsl450;
+    options.vertex.flip_vert_y = true;  // the source is Vulkan's, whose y points down
     options.fragment.default_float_precision = spirv_cross::CompilerGLSL::Options::Highp;
     options.fragment.default_int_precision = spirv_cross::CompilerGLSL::Options::Highp;
     compiler.set_common_options(options);

@@ -90,6 +90,9 @@ Statements emit_hlsl(const Words& words, Target target) {
     spirv_cross::CompilerHLSL::Options options;
     options.shader_model = target == Target::hlsl50 ? 50 : 60;
     compiler.set_hlsl_options(options);
+    spirv_cross::CompilerGLSL::Options common = compiler.get_common_options();
+    common.vertex.flip_vert_y = true;  // the source is Vulkan's, whose y points down
+    compiler.set_common_options(common);
     Statements statements = text::parse(compiler.compile(), text::Dialect::hlsl);
     for_each_tokens(statements, write_out_splats);
     join_entry_point(statements);

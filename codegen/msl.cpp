@@ -38,6 +38,11 @@ bool is_needless(const Statement& statement) {
                                    statement.head[0].is("#include <simd/simd.h>"));
 }
 
+// SPIRV-Cross says this behind the line that does it.
+bool is_remark_on_y(const Statement& statement) {
+    return statement.is_line() && statement.head[0].text.starts_with("// Invert Y-axis");
+}
+
 }  // namespace
 
 Statements emit_msl(const Words& words) {
@@ -46,9 +51,15 @@ Statements emit_msl(const Words& words) {
     options.set_msl_version(2, 2);
     options.enable_decoration_binding = true;
     compiler.set_msl_options(options);
+    spirv_cross::CompilerGLSL::Options common = compiler.get_common_options();
+    common.vertex.flip_vert_y = true;  // the source is Vulkan's, whose y points down
+    compiler.set_common_options(common);
     Statements statements = text::parse(compiler.compile(), text::Dialect::msl);
     for_each_tokens(statements, drop_fast);
-    for (Statement& statement : statements) drop_attribute(statement);
+    for (Statement& statement : statements) {
+        drop_attribute(statement);
+        std::erase_if(statement.body, is_remark_on_y);
+    }
     std::erase_if(statements, is_needless);
     tidy_c_family(statements, text::Dialect::msl);
     return statements;
