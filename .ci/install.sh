@@ -90,8 +90,6 @@ install_npm_packages() {
         --loglevel=error --fetch-retries=2 --fetch-retry-mintimeout=1000 \
         --fetch-retry-maxtimeout=5000 >&2) ||
         fail "could not install the npm packages of $folder/package-lock.json (is there a network?)"
-    [[ -f $folder/node_modules/deno/install.cjs ]] &&
-        (cd "$folder" && "$node" node_modules/deno/install.cjs >&2)
     echo "$wanted" >"$stamp"
 }
 
