@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+#include <exception>
 
 #include "core/error.h"
 
@@ -169,7 +169,7 @@ BackendResult compare_backend(const CompareRequest& request, const BackendEntry&
     }
     try {
         run_backend(request, entry, reference, result);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         result.materials.clear();
         result.reason = error.what();
     }

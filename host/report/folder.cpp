@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/file.h"
 #include "core/version.h"
@@ -16,9 +18,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A name as part of a path: materials may be given as paths themselves.
+// A name as one part of a path: materials may be given as paths themselves.
 std::string file_part(const std::string& name) {
-    return fs::path{name}.stem().string();
+    std::string part = name.ends_with(".json") ? name.substr(0, name.size() - 5) : name;
+    std::ranges::replace(part, '/', '_');
+    return part;
 }
 
 Metadata metadata_of(const CompareResult& result, const std::string& material,

@@ -41,9 +41,10 @@ const QueryGrid* sphere_of(const CompareResult& result, std::size_t& index) {
 std::string error_html(double error) {
     if (!std::isfinite(error)) return "not finite";
     if (error == 0.0) return "0";
-    const int power = static_cast<int>(std::floor(std::log10(error)));
-    return fmt::format("{:.1f}<span class=\"power\">e{}</span>", error / std::pow(10.0, power),
-                       power);
+    const std::string text = fmt::format("{:.1e}", error);  // "6.4e-05"
+    const std::size_t exponent = text.find('e');
+    return fmt::format("{}<span class=\"power\">e{}</span>", text.substr(0, exponent),
+                       std::stoi(text.substr(exponent + 1)));
 }
 
 std::string status_pill(Status status) {

@@ -84,8 +84,9 @@ std::string matrix_section(const CompareResult& result) {
     return fmt::format(
         R"(<section><h2>Maximum relative error</h2>
 <p>Each material in each language; colours show the margin to the tolerance.</p>
-<p class="key"><i style="--hue:155"></i>a hundredth of it or less <i style="--hue:100"></i>a tenth
-<i style="--hue:45"></i>all of it <i class="over"></i>past it</p>
+<p class="key"><span><i style="--hue:155"></i>a hundredth of it or less</span>
+<span><i style="--hue:100"></i>a tenth</span> <span><i style="--hue:45"></i>all of it</span>
+<span><i class="over"></i>past it</span></p>
 <div class="scroll"><table class="matrix"><thead><tr><th></th>{}</tr></thead><tbody>
 {}</tbody></table></div></section>
 )",
