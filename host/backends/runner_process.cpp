@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <signal.h>
 
 #include <array>
@@ -27,6 +28,9 @@ constexpr std::uint32_t kMaxAnswerSize = 1 << 24;
 
 // How long a process may take to end once its input has.
 constexpr std::chrono::seconds kPatience{2};
+
+// How long an answer may take: compiling may take minutes, and so may starting Wine the first time.
+constexpr std::chrono::milliseconds kAnswerPatience = std::chrono::minutes{10};
 
 // How much of what the process wrote to its standard error is quoted.
 constexpr long kLastWords = 2000;
@@ -120,6 +124,9 @@ void RunnerProcess::Impl::write(std::span<const std::byte> bytes) {
 
 void RunnerProcess::Impl::read(std::span<std::byte> bytes) {
     while (!bytes.empty()) {
+        pollfd waiting{output.native_source(), POLLIN, 0};
+        if (poll(&waiting, 1, static_cast<int>(kAnswerPatience.count())) == 0)
+            throw Error{fmt::format("'{}' does not answer", program)};
         const ssize_t count = ::read(output.native_source(), bytes.data(), bytes.size());
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) throw_last_words();
