@@ -108,6 +108,8 @@ Statements emit_wgsl(const std::string& naga_text) {
         text::restore_compound_assignments(statement);
         text::restore_for(statement);
         for_each_tokens(statement.body, text::remove_parentheses);
+        text::name_locals(statement, Dialect::wgsl);
+        text::name_built_ins(statement, Dialect::wgsl);
         text::restore_names(statement, Dialect::wgsl, names);
         separate_attributes(statement);
     }

@@ -32,9 +32,7 @@ class StagingFolder {
     }
 
     void move_out(const fs::path& relative, const fs::path& folder) const {
-        const fs::path target = folder / relative;
-        fs::create_directories(target.parent_path());
-        fs::rename(path_ / relative, target);
+        fs::rename(path_ / relative, folder / relative);
     }
 
  private:
@@ -45,17 +43,29 @@ void write_files(const Package& package, const fs::path& folder) {
     const StagingFolder staging{folder};
     for (const ShaderFile& file : package.files) staging.add(file.path, file.contents);
     staging.add("manifest.json", manifest(package));
+    // What can fail comes before the first file is replaced.
+    for (const ShaderFile& file : package.files)
+        fs::create_directories((folder / file.path).parent_path());
     for (const ShaderFile& file : package.files) staging.move_out(file.path, folder);
     staging.move_out("manifest.json", folder);
+}
+
+// Folders from `folder` upwards that do not exist yet, the deepest first.
+std::vector<fs::path> missing_folders(fs::path folder) {
+    std::vector<fs::path> missing;
+    std::error_code ignored;
+    for (; !folder.empty() && !fs::exists(folder, ignored); folder = folder.parent_path())
+        missing.push_back(folder);
+    return missing;
 }
 
 }  // namespace
 
 void write(const Package& package, const fs::path& folder) {
-    std::error_code ignored;
-    const bool existed = fs::exists(folder, ignored);
+    const std::vector<fs::path> made = missing_folders(folder);
     const auto failure = [&](const std::string& reason) {
-        if (!existed) fs::remove(folder, ignored);
+        std::error_code ignored;
+        for (const fs::path& path : made) fs::remove(path, ignored);
         return Error{fmt::format("writing shaders to '{}': {}", folder.string(), reason)};
     };
     try {

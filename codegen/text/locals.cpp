@@ -4,6 +4,8 @@
 #include <cctype>
 #include <regex>
 
+#include "codegen/names.h"
+
 namespace lacquer::codegen::text {
 
 namespace {
@@ -93,9 +95,15 @@ class NameRestorer {
     const std::vector<std::string>& reserved_;
 };
 
+bool is_digit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+// What the translator calls a value that has no name in the source.
 bool is_nameless(const std::string& name) {
-    return name.size() > 1 && name[0] == '_' &&
-           std::isdigit(static_cast<unsigned char>(name[1])) != 0;
+    const bool number = name.size() > 1 && name[0] == '_' && is_digit(name[1]);
+    const bool naga = name.size() > 2 && name.starts_with("_e") && is_digit(name[2]);
+    return number || naga || name.starts_with(kSelectedName);
 }
 
 // "LqPlainSurface" as "plain_surface".
@@ -133,12 +141,23 @@ void name_locals(Statement& function, Dialect dialect) {
             if (!is_nameless(name)) continue;
             const bool returned = i + 1 < list.size() && list[i + 1].head.size() == 2 &&
                                   list[i + 1].starts_with("return") && list[i + 1].head[1].is(name);
-            const std::string type = list[i].head[0].text;
-            const std::string better =
-                unused_name(function, returned ? "result" : snake_case(type));
-            rename(function.body, name, better);
+            const std::string type = snake_case(list[i].head[0].text);
+            const std::string wished = returned                          ? "result"
+                                       : name.starts_with(kSelectedName) ? "selected"
+                                       : dialect == Dialect::wgsl        ? "value"
+                                                                         : type;
+            rename(function.body, name, unused_name(function, wished));
         }
     });
+}
+
+void name_built_ins(Statement& function, Dialect dialect) {
+    for (Statement& statement : function.body) {
+        const std::string name = declared_by(statement, dialect);
+        const std::string base = base_of(name);
+        if (!base.starts_with("gl_")) continue;
+        rename(function.body, name, unused_name(function, snake_case(base.substr(3))));
+    }
 }
 
 void join_else_if(Statements& statements) {

@@ -13,9 +13,12 @@ void restore_choices(Statement& function);
 // `reserved` are the names of the whole file.
 void restore_names(Statement& function, Dialect dialect, const std::vector<std::string>& reserved);
 
-// Gives nameless locals (`_123`) the name of their type in snake_case, or `result` where they are
-// returned at once.
+// Gives locals that the translator named (`_123`, `_e12`, kSelectedName) the name `result` where
+// they are returned at once, otherwise that of their type in snake_case, `selected` or `value`.
 void name_locals(Statement& function, Dialect dialect);
+
+// Gives locals named after a built-in (`gl_VertexIndex_1`) a name of their own: `vertex_index`.
+void name_built_ins(Statement& function, Dialect dialect);
 
 // `else { if ... }` to `else if ...`.
 void join_else_if(Statements& statements);

@@ -127,7 +127,9 @@ class Printer {
         } else {
             text_ += margin;
         }
-        tokens(statement.head, indent, statement.end.size() + (statement.has_block ? 2 : 0));
+        // What opens a block is continued further in, so that it stands apart from the block.
+        const std::size_t continued = indent + (statement.has_block ? 2 : 1) * kIndent;
+        tokens(statement.head, continued, statement.end.size() + (statement.has_block ? 2 : 0));
         if (statement.has_block) {
             text_ += statement.head.empty() ? "{\n" : " {\n";
             block(statement.body, indent + kIndent);
@@ -147,10 +149,9 @@ class Printer {
         return tokens.size();
     }
 
-    // Prints tokens after the margin, in as many lines as they need, with room for `reserve` more
-    // columns at the end.
-    void tokens(const Tokens& tokens, std::size_t indent, std::size_t reserve) {
-        const std::size_t next_column = indent + kIndent;
+    // Prints tokens after the margin, in as many lines as they need, the others from `next_column`
+    // on, with room for `reserve` more columns at the end.
+    void tokens(const Tokens& tokens, std::size_t next_column, std::size_t reserve) {
         std::size_t column = text_.size() - (text_.rfind('\n') + 1);
         for (std::size_t first = 0; first < tokens.size();) {
             const std::size_t limit = fitting(tokens, first, column, reserve);

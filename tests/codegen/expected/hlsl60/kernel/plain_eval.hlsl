@@ -1,0 +1,405 @@
+// Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
+// HLSL, shader model 6.0, kernel 'eval'.
+// SPDX-License-Identifier: Apache-2.0
+// Generated; source sha256 2016825d3199f4de3dfc69a82061d53859926d6d833221f9e07b550441a81258.
+
+static const float LQ_PI = 3.1415927f;
+static const float LQ_INVERSE_PI = 0.31830987f;
+
+// Lobes narrower than this are shaded at this width: a point light in a narrower one would land
+// between the pixels, and the peak 1 / (pi alpha^2) stays well inside the range of a float.
+static const float LQ_MIN_ALPHA = 0.001f;
+
+// The ranges of the material format: a value outside them is clamped by `prepare`.
+static const float LQ_MIN_ETA = 0.33333334f;
+static const float LQ_MAX_ETA = 3.0f;
+static const float LQ_MAX_CONDUCTOR_INDEX = 40.0f;
+
+// Below this a denominator that is a product of two cosines is raised, so that directions within
+// 1e-15 of the horizon give a large value instead of infinity.
+static const float LQ_MIN_COSINE_PRODUCT = 1.0e-30f;
+
+// A vector whose squared length lies outside these is no direction; formulas are bounded within.
+static const float LQ_MIN_SQUARED_LENGTH = 0.5f;
+static const float LQ_MAX_SQUARED_LENGTH = 2.0f;
+
+// Keep 0 / 0 away: at exactly grazing incidence on a boundary without contrast, and at normal
+// incidence on an index of 0, whose reflectance is 1 like that of any index near it.
+static const float LQ_MIN_FRESNEL_COSINE = 1.0e-12f;
+static const float LQ_MIN_FRESNEL_TERM = 1.0e-30f;
+
+// exp of anything below this is 0 beside the smallest value that matters (1e-35 of the peak).
+static const float LQ_MIN_EXPONENT = -80.0f;
+static const int LQ_NDF_BECKMANN = 1;
+
+// `ndf` is one of LQ_NDF_*; the alphas are slope roughnesses along x and y, in [LQ_MIN_ALPHA, 1].
+struct LqFacets {
+    int ndf;
+    float alpha_x;
+    float alpha_y;
+};
+
+// What lies below the coat, or is seen bare.
+static const int LQ_BASE_NONE = 0;
+static const int LQ_BASE_LAMBERTIAN = 1;
+static const int LQ_BASE_CONDUCTOR = 2;
+
+// `coat_eta` is the ior of the coat over that of the exterior, and 0 where there is no coat.
+// `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian base, the rest for a conductor,
+// whose `eta + i kappa` is relative to the exterior.
+struct LqPlainSurface {
+    LqFacets coat;
+    float coat_eta;
+    int base;
+    float3 albedo;
+    LqFacets base_facets;
+    float3 eta;
+    float3 kappa;
+};
+
+// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
+static const float LQ_PLAIN_MIN_CHOICE = 0.1f;
+
+ByteAddressBuffer inputs : register(t2, space0);
+
+cbuffer LqKernelParameters : register(b0, space0) {
+    uint parameters_query_count : packoffset(c0);
+    uint parameters_queries_per_surface : packoffset(c0.y);
+    uint parameters_point_count : packoffset(c0.z);
+    uint parameters_reserved : packoffset(c0.w);
+    float4 parameters_wo : packoffset(c1);
+    float4 parameters_radiance : packoffset(c2);
+};
+
+ByteAddressBuffer surfaces : register(t1, space0);
+RWByteAddressBuffer results : register(u3, space0);
+
+float3 lq_input_vector(uint row) {
+    return float3(asfloat(inputs.Load(row * 16 + 0)), asfloat(inputs.Load(row * 16 + 4)),
+        asfloat(inputs.Load(row * 16 + 8)));
+}
+
+// Whether `w` is a direction above the surface. False too for vectors far from unit length, whose
+// formulas could overflow: what is not a direction reflects nothing.
+bool lq_is_above(float3 w) {
+    float length_squared = dot(w, w);
+    if (length_squared < LQ_MIN_SQUARED_LENGTH) {
+        return false;
+    }
+    return w.z > 0.0f ? length_squared < LQ_MAX_SQUARED_LENGTH : false;
+}
+
+float lq_square(float x) {
+    return x * x;
+}
+
+float lq_average(float3 v) {
+    return (v.x + v.y + v.z) * 0.33333334f;
+}
+
+// exp(x^2) times the first repeated integral of erfc, for x >= 0, to 3e-7 relative:
+//     exp(x^2) ierfc(x) = 1 / sqrt(pi) - x exp(x^2) erfc(x).
+// Polynomial in t = 1 / (1 + 0.4 x) by Chebyshev fit, t^2 carrying the decay 1 / (2 sqrt(pi) x^2).
+// Written out it is 1 - 1 at large x; this form never subtracts what it is about to lose.
+float lq_scaled_ierfc(float x) {
+    float t = 1.0f / (1.0f + 0.4f * x);
+    float sum = -0.039118025f;
+    sum = sum * t + 0.2535899f;
+    sum = sum * t - 0.5745888f;
+    sum = sum * t + 0.49798867f;
+    sum = sum * t - 0.14689612f;
+    sum = sum * t + 0.18526737f;
+    sum = sum * t + 0.12720063f;
+    sum = sum * t + 0.12536448f;
+    sum = sum * t + 0.090246215f;
+    sum = sum * t + 0.045135286f;
+    return sum * t * t;
+}
+
+// Density per solid angle of `lq_sample_cosine_hemisphere`.
+float lq_cosine_hemisphere_pdf(float cos_theta) {
+    return max(cos_theta, 0.0f) * LQ_INVERSE_PI;
+}
+
+// Fresnel reflectance for cos_theta_i in [0, 1] and a conductor of index eta + i kappa (kappa >= 0)
+// relative to the medium of incidence.
+//
+// The refracted normal component is (a + i b), with a^2 - b^2 = eta^2 - kappa^2 - sin^2 theta_i and
+// a b = eta kappa. The difference is taken from 1 on both sides, or at grazing an index near the
+// exterior's would leave nothing but rounding. The larger of a and b comes from a sum of positive terms and the other from the
+// product: the textbook's difference of near-equal terms loses four digits for noble metals.
+float lq_fresnel_conductor(float cos_theta_i, float eta, float kappa) {
+    float c = clamp(cos_theta_i, LQ_MIN_FRESNEL_COSINE, 1.0f);
+    float sin_squared = (1.0f - c) * (1.0f + c);
+    float difference = (eta - 1.0f) * (eta + 1.0f) - kappa * kappa + c * c;
+    float product = eta * kappa;
+    float larger =
+        sqrt(0.5f * (sqrt(difference * difference + 4.0f * product * product) + abs(difference)));
+    float smaller = larger > 0.0f ? product / larger : 0.0f;
+    float a = difference >= 0.0f ? larger : smaller;
+    float b = difference >= 0.0f ? smaller : larger;
+    float s_part = ((a - c) * (a - c) + b * b) / ((a + c) * (a + c) + b * b);
+    float p_minus = a * c - sin_squared;
+    float p_plus = a * c + sin_squared;
+    float offset = b * b * c * c + LQ_MIN_FRESNEL_TERM;
+    float p_part = (p_minus * p_minus + offset) / (p_plus * p_plus + offset);
+    return min(0.5f * s_part * (1.0f + p_part), 1.0f);
+}
+
+// The same for an index per colour channel.
+float3 lq_fresnel_conductor_rgb(float cos_theta_i, float3 eta, float3 kappa) {
+    return float3(lq_fresnel_conductor(cos_theta_i, eta.x, kappa.x),
+        lq_fresnel_conductor(cos_theta_i, eta.y, kappa.y),
+        lq_fresnel_conductor(cos_theta_i, eta.z, kappa.z));
+}
+
+// Fresnel reflectance for cos_theta_i in [0, 1], eta = ior transmitted / ior incident; 1 beyond the
+// critical angle.
+//
+// With g = eta cos_theta_t, g^2 = eta^2 - 1 + cos_theta_i^2, the amplitudes
+//     r_s = (c - g) / (c + g),    r_p = (eta^2 c - g) / (eta^2 c + g)
+// lose all digits in their numerators as eta nears 1. Multiplied by their own denominators these
+// become (1 - eta^2) and (eta^2 - 1) (c^2 (eta^2 + 1) - 1), which do not.
+float lq_fresnel_dielectric(float cos_theta_i, float eta) {
+    float c = clamp(cos_theta_i, 0.0f, 1.0f);
+    float contrast = (eta - 1.0f) * (eta + 1.0f);
+    float g_squared = contrast + c * c;
+    if (g_squared <= 0.0f) {
+        return 1.0f;
+    }
+    float g = sqrt(g_squared);
+    float denominator_s = c + g;
+    float denominator_p = eta * eta * c + g;
+    float amplitude_s = contrast / (denominator_s * denominator_s);
+    float amplitude_p = contrast * (c * c * (eta * eta + 1.0f) - 1.0f) /
+        (denominator_p * denominator_p);
+    return min(0.5f * (amplitude_s * amplitude_s + amplitude_p * amplitude_p), 1.0f);
+}
+
+// Density of facet normals wm (unit, upper hemisphere) per solid angle and projected area.
+// Heitz 2014, Eq. 82.
+float lq_beckmann_density(float3 wm, float alpha_x, float alpha_y) {
+    float cos_squared = wm.z * wm.z;
+    float x = wm.x / alpha_x;
+    float y = wm.y / alpha_y;
+    float slope_squared = x * x + y * y;
+    if (slope_squared >= -LQ_MIN_EXPONENT * cos_squared) {
+        return 0.0f;
+    }
+    return exp(-slope_squared / cos_squared) /
+        (LQ_PI * alpha_x * alpha_y * cos_squared * cos_squared);
+}
+
+// Smith's Lambda times the cosine (Heitz 2014, Eq. 83), for w above the surface. With
+// a = cot(theta) / alpha this is sin(theta) alpha ierfc(a) / 2, exact rather than the usual
+// rational fit, and finite at grazing.
+float lq_beckmann_projected_lambda(float3 w, float alpha_x, float alpha_y) {
+    float x = alpha_x * w.x;
+    float y = alpha_y * w.y;
+    float slope = sqrt(x * x + y * y);
+    if (lq_square(w.z) >= -LQ_MIN_EXPONENT * slope * slope) {
+        return 0.0f;
+    }
+    float a = w.z / slope;
+    return 0.5f * slope * exp(-a * a) * lq_scaled_ierfc(a);
+}
+
+// Density of facet normals wm (unit, upper hemisphere) per solid angle and projected area.
+// Heitz 2014, Eq. 85.
+float lq_ggx_density(float3 wm, float alpha_x, float alpha_y) {
+    float x = wm.x / alpha_x;
+    float y = wm.y / alpha_y;
+    float sum = x * x + y * y + wm.z * wm.z;
+    return 1.0f / (LQ_PI * alpha_x * alpha_y * sum * sum);
+}
+
+// Smith's Lambda times the cosine, cos_theta Lambda(w) (Heitz 2014, Eq. 86), for w above the
+// surface. Unlike Lambda it stays finite at grazing, and in this form it loses no digits at normal
+// incidence, where sqrt(1 + x) - 1 would.
+float lq_ggx_projected_lambda(float3 w, float alpha_x, float alpha_y) {
+    float x = alpha_x * w.x;
+    float y = alpha_y * w.y;
+    float slope_squared = x * x + y * y;
+    float root = sqrt(slope_squared + w.z * w.z);
+    return 0.5f * slope_squared / max(root + w.z, LQ_MIN_COSINE_PRODUCT);
+}
+
+// Facets with every parameter brought into its range.
+LqFacets lq_facets_prepare(int ndf, float alpha_x, float alpha_y) {
+    LqFacets result =
+        { ndf, clamp(alpha_x, LQ_MIN_ALPHA, 1.0f), clamp(alpha_y, LQ_MIN_ALPHA, 1.0f) };
+    return result;
+}
+
+// D(wm), per solid angle; wm unit.
+float lq_facets_density(LqFacets facets, float3 wm) {
+    if (facets.ndf == LQ_NDF_BECKMANN) {
+        return lq_beckmann_density(wm, facets.alpha_x, facets.alpha_y);
+    }
+    return lq_ggx_density(wm, facets.alpha_x, facets.alpha_y);
+}
+
+// cos_theta Lambda(w): finite at grazing, where Lambda alone is not.
+float lq_facets_projected_lambda(LqFacets facets, float3 w) {
+    if (facets.ndf == LQ_NDF_BECKMANN) {
+        return lq_beckmann_projected_lambda(w, facets.alpha_x, facets.alpha_y);
+    }
+    return lq_ggx_projected_lambda(w, facets.alpha_x, facets.alpha_y);
+}
+
+// cos_theta_i cos_theta_o / G2(wi, wo), G2 = 1 / (1 + Lambda(wi) + Lambda(wo)): positive terms only.
+float lq_facets_cosines_over_masking_shadowing(LqFacets facets, float3 wi, float3 wo) {
+    float lambda_i = lq_facets_projected_lambda(facets, wi);
+    float lambda_o = lq_facets_projected_lambda(facets, wo);
+    return max(wi.z * wo.z + wo.z * lambda_i + wi.z * lambda_o, LQ_MIN_COSINE_PRODUCT);
+}
+
+// The facet normal that mirrors wo into wi, for both above the surface. Directions opposite along
+// the horizon have none: the macroscopic normal stands in.
+float3 lq_halfway(float3 wi, float3 wo) {
+    float3 sum = wi + wo;
+    float length_squared = dot(sum, sum);
+    if (length_squared < LQ_MIN_COSINE_PRODUCT) {
+        return float3(0.0f, 0.0f, 1.0f);
+    }
+    return sum * (1.0f / sqrt(length_squared));
+}
+
+// Cosine of the angle between either direction and their halfway normal. Half the length of the
+// sum: for nearly opposite directions at grazing it keeps the digits that their dot product loses.
+float lq_cos_theta_halfway(float3 wi, float3 wo) {
+    return min(0.5f * length(wi + wo), 1.0f);
+}
+
+// D G2 / (4 cos_theta_i cos_theta_o), per solid angle, for wi and wo above the surface. Walter et
+// al. 2007, Eq. 20 without F.
+float lq_reflection_lobe(LqFacets facets, float3 wi, float3 wo) {
+    float density = lq_facets_density(facets, lq_halfway(wi, wo));
+    return 0.25f * density / lq_facets_cosines_over_masking_shadowing(facets, wi, wo);
+}
+
+// Density per solid angle of wi when the normals visible from wo mirror it:
+// D_wo(wm) / (4 dot(wo, wm)) = D(wm) / (4 (cos_theta_o + cos_theta_o Lambda(wo))).
+float lq_reflection_pdf(LqFacets facets, float3 wi, float3 wo) {
+    float density = lq_facets_density(facets, lq_halfway(wi, wo));
+    float lambda_o = lq_facets_projected_lambda(facets, wo);
+    return 0.25f * density / max(wo.z + lambda_o, LQ_MIN_COSINE_PRODUCT);
+}
+
+// The surface with every parameter brought into its range: call it once per shading point.
+LqPlainSurface lq_plain_prepare(LqPlainSurface surface) {
+    float coat_eta = surface.coat_eta > 0.0f ? clamp(surface.coat_eta, LQ_MIN_ETA, LQ_MAX_ETA)
+        : 0.0f;
+    LqPlainSurface result = {
+        lq_facets_prepare(surface.coat.ndf, surface.coat.alpha_x, surface.coat.alpha_y), coat_eta,
+        surface.base, clamp(surface.albedo, float3(0.0f, 0.0f, 0.0f), float3(1.0f, 1.0f, 1.0f)),
+        lq_facets_prepare(surface.base_facets.ndf, surface.base_facets.alpha_x,
+        surface.base_facets.alpha_y),
+        clamp(surface.eta, float3(0.0f, 0.0f, 0.0f), LQ_MAX_CONDUCTOR_INDEX.xxx),
+        clamp(surface.kappa, float3(0.0f, 0.0f, 0.0f), LQ_MAX_CONDUCTOR_INDEX.xxx) };
+    return result;
+}
+
+// The coat's part of f. `surface` prepared; wi and wo above the surface.
+float lq_plain_coat(LqPlainSurface surface, float3 wi, float3 wo) {
+    if (surface.coat_eta <= 0.0f) {
+        return 0.0f;
+    }
+    return lq_fresnel_dielectric(lq_cos_theta_halfway(wi, wo), surface.coat_eta) *
+        lq_reflection_lobe(surface.coat, wi, wo);
+}
+
+// The base's part of f, as if no coat lay over it. `surface` prepared; wi and wo above the surface.
+float3 lq_plain_base(LqPlainSurface surface, float3 wi, float3 wo) {
+    if (surface.base == LQ_BASE_LAMBERTIAN) {
+        return surface.albedo * LQ_INVERSE_PI;
+    }
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        float cos_theta = lq_cos_theta_halfway(wi, wo);
+        return lq_fresnel_conductor_rgb(cos_theta, surface.eta, surface.kappa) *
+            lq_reflection_lobe(surface.base_facets, wi, wo);
+    }
+    return float3(0.0f, 0.0f, 0.0f);
+}
+
+// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
+float3 lq_plain_eval(LqPlainSurface surface, float3 wi, float3 wo) {
+    if (!lq_is_above(wi)) {
+        return float3(0.0f, 0.0f, 0.0f);
+    }
+    if (!lq_is_above(wo)) {
+        return float3(0.0f, 0.0f, 0.0f);
+    }
+    return lq_plain_base(surface, wi, wo) + lq_plain_coat(surface, wi, wo).xxx;
+}
+
+// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
+// base would reflect were they smooth.
+float lq_plain_coat_choice(LqPlainSurface surface, float3 wo) {
+    if (surface.coat_eta <= 0.0f) {
+        return 0.0f;
+    }
+    if (surface.base == LQ_BASE_NONE) {
+        return 1.0f;
+    }
+    float coat = lq_fresnel_dielectric(wo.z, surface.coat_eta);
+    float base = lq_average(surface.albedo);
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        base = lq_average(lq_fresnel_conductor_rgb(wo.z, surface.eta, surface.kappa));
+    }
+    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_PLAIN_MIN_CHOICE,
+        1.0f - LQ_PLAIN_MIN_CHOICE);
+}
+
+// Density per solid angle with which `lq_plain_sample` chooses wi; 0 unless both directions are
+// above the surface. `surface` prepared.
+float lq_plain_pdf(LqPlainSurface surface, float3 wi, float3 wo) {
+    if (!lq_is_above(wi)) {
+        return 0.0f;
+    }
+    if (!lq_is_above(wo)) {
+        return 0.0f;
+    }
+    float coat_choice = lq_plain_coat_choice(surface, wo);
+    float pdf = 0.0f;
+    if (coat_choice > 0.0f) {
+        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
+    }
+    if (surface.base == LQ_BASE_LAMBERTIAN) {
+        pdf += (1.0f - coat_choice) * lq_cosine_hemisphere_pdf(wi.z);
+    }
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        pdf += (1.0f - coat_choice) * lq_reflection_pdf(surface.base_facets, wi, wo);
+    }
+    return pdf;
+}
+
+// The prepared surface that five packed rows describe.
+LqPlainSurface lq_plain_unpack(float4 coat, float4 base, float4 albedo, float4 eta, float4 kappa) {
+    LqFacets facets = { int(coat.w), coat.x, coat.y };
+    LqFacets facets_b = { int(base.w), base.x, base.y };
+    LqPlainSurface plain_surface =
+        { facets, coat.z, int(base.z), albedo.xyz, facets_b, eta.xyz, kappa.xyz };
+    return lq_plain_prepare(plain_surface);
+}
+
+LqPlainSurface lq_model_surface(uint query) {
+    uint row = query / parameters_queries_per_surface * 5u;
+    return lq_plain_unpack(asfloat(surfaces.Load4(row * 16 + 0)),
+        asfloat(surfaces.Load4((row + 1u) * 16 + 0)), asfloat(surfaces.Load4((row + 2u) * 16 + 0)),
+        asfloat(surfaces.Load4((row + 3u) * 16 + 0)), asfloat(surfaces.Load4((row + 4u) * 16 + 0)));
+}
+
+// Inputs: wi, wo per query. Results: (f, pdf).
+[numthreads(64, 1, 1)]
+void main(uint3 gl_GlobalInvocationID : SV_DispatchThreadID) {
+    uint query = gl_GlobalInvocationID.x;
+    if (query >= parameters_query_count) {
+        return;
+    }
+    LqPlainSurface surface = lq_model_surface(query);
+    float3 wi = lq_input_vector(2u * query);
+    float3 wo = lq_input_vector(2u * query + 1u);
+    results.Store4(query * 16 + 0,
+        asuint(float4(lq_plain_eval(surface, wi, wo), lq_plain_pdf(surface, wi, wo))));
+}
