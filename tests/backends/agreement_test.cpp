@@ -11,7 +11,7 @@ namespace lacquer::test {
 namespace {
 
 // Float has 24 bits: a formula of a hundred operations keeps about 5 digits in the worst place and
-// nearly 7 in the middle. Issue-wide figures, also those of `lacquer compare`.
+// nearly 7 in the middle. The same figures as those of `lacquer compare`.
 constexpr double kMaxRelativeError = 1e-4;
 constexpr double kMedianRelativeError = 3e-7;
 
