@@ -1,7 +1,6 @@
 // Backend `hlsl-fxc`: the generated HLSL through Microsoft's own compilers under Wine. FXC's
 // bytecode runs on Direct3D 11; DXC, whose bytecode Wine cannot run, only checks shader model 6.0.
 #include <fmt/format.h>
-#include <boost/process/search_path.hpp>
 
 #include "backends/entries.h"
 #include "backends/node_packages.h"
@@ -11,6 +10,7 @@
 #include "core/environment.h"
 #include "core/error.h"
 #include "core/paths.h"
+#include "core/process.h"
 
 namespace lacquer {
 
@@ -23,14 +23,8 @@ constexpr const char* kDevice = "FXC, Direct3D 11 on Wine";
 // Microsoft's compilers come with the npm package `webgpu`.
 constexpr const char* kCompilerFolder = "webgpu/dist/win32-x64";
 
-// Debian keeps wine64 off the PATH.
-constexpr const char* kDebianWine = "/usr/lib/wine/wine64";
-
 fs::path require_wine() {
-    for (const char* name : {"wine64", "wine"})
-        if (const auto found = boost::process::search_path(name); !found.empty())
-            return found.string();
-    if (fs::exists(kDebianWine)) return kDebianWine;
+    if (const auto wine = find_wine()) return *wine;
     throw Unavailable{"Wine is missing", "apt-get install wine64"};
 }
 

@@ -82,7 +82,7 @@ std::vector<Finding> probe_tools() {
     return {probe_data(), probe_program("node", node_program(), node_missing_message()),
             probe_program("chromium", find_program("chromium"),
                           "install the package chromium: WebGPU backends use its Vulkan driver"),
-            probe_program("wine", find_program("wine64"),
+            probe_program("wine", find_wine(),
                           "install the package wine64 to run HLSL through its own compilers")};
 }
 

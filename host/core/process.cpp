@@ -35,4 +35,12 @@ std::optional<std::filesystem::path> find_program(const std::string& name) {
     return found.string();
 }
 
+std::optional<std::filesystem::path> find_wine() {
+    constexpr const char* kDebianWine = "/usr/lib/wine/wine64";
+    for (const char* name : {"wine64", "wine"})
+        if (auto found = find_program(name)) return found;
+    if (std::filesystem::exists(kDebianWine)) return kDebianWine;
+    return std::nullopt;
+}
+
 }  // namespace lacquer

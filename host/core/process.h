@@ -23,4 +23,7 @@ ProcessResult run_process(const std::filesystem::path& program,
 // The program of that name on the PATH; nothing where there is none.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
+// Wine for 64-bit programs, which Debian keeps off the PATH; nothing where there is none.
+std::optional<std::filesystem::path> find_wine();
+
 }  // namespace lacquer
