@@ -116,7 +116,6 @@ void run(const Arguments& arguments) {
     if (!arguments.report.empty()) require_report_folder(arguments.report);
     const CompareResult result = run_with_progress(std::move(request));
     if (!arguments.report.empty()) write_report(result, arguments.report);
-    if (!arguments.readme.empty()) update_markdown(arguments.readme, accuracy_markdown(result));
     print_data(arguments.json       ? compare_json(result)
                : arguments.markdown ? accuracy_markdown(result)
                                     : summary_table(result));
@@ -124,6 +123,7 @@ void run(const Arguments& arguments) {
         fmt::print(stderr, "report: {}\n", (arguments.report / "report.html").string());
     const std::vector<std::string> lines = complaints(arguments, result);
     if (!lines.empty()) throw Error{fmt::format("{}", fmt::join(lines, "\nlacquer: "))};
+    if (!arguments.readme.empty()) update_markdown(arguments.readme, accuracy_markdown(result));
 }
 
 }  // namespace
@@ -135,10 +135,11 @@ void add_compare_command(CLI::App& app) {
         ->add_option("--backend", arguments->backends,
                      "Backend to compare, may be repeated (default: all that can run)")
         ->allow_extra_args(false);
-    command
-        ->add_option("--material", arguments->materials,
-                     "Material file or bundled name, may be repeated (default: all bundled)")
-        ->allow_extra_args(false);
+    CLI::Option* material =
+        command
+            ->add_option("--material", arguments->materials,
+                         "Material file or bundled name, may be repeated (default: all bundled)")
+            ->allow_extra_args(false);
     command->add_option("--model", arguments->model, "How materials are shaded")
         ->capture_default_str();
     command->add_option("--suite", arguments->suite, "The queries: default")->capture_default_str();
@@ -148,8 +149,11 @@ void add_compare_command(CLI::App& app) {
     CLI::Option* json = command->add_flag("--json", arguments->json, "Print JSON");
     command->add_flag("--markdown", arguments->markdown, "Print the accuracy table in Markdown")
         ->excludes(json);
-    command->add_option("--update-readme", arguments->readme,
-                        "Replace the accuracy table between its markers in this Markdown file");
+    // The table speaks of all bundled materials: it must not be made from some.
+    command
+        ->add_option("--update-readme", arguments->readme,
+                     "Replace the accuracy table between its markers in this Markdown file")
+        ->excludes(material);
     command->callback([arguments] { run(*arguments); });
 }
 

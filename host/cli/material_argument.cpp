@@ -29,7 +29,9 @@ std::vector<fs::path> bundled_material_files() {
 }
 
 fs::path material_file(const std::string& argument) {
-    if (fs::exists(argument)) return argument;
+    // A folder that happens to be called like a bundled material does not hide it.
+    if (looks_like_path(argument) ? fs::exists(argument) : fs::is_regular_file(argument))
+        return argument;
     std::vector<std::string> names;
     for (const fs::path& file : bundled_material_files()) {
         if (file.stem() == argument) return file;

@@ -90,13 +90,20 @@ TEST(CompareCommand, PrintsAndUpdatesTheAccuracyTable) {
     write_file(readme,
                "before\n<!-- accuracy: written by `lacquer compare --update-readme` -->\nold\n"
                "<!-- end of accuracy -->\nafter\n");
-    const ProcessResult result = run_lacquer({"compare", "--backend", "cpp", "--material", "gold",
-                                              "--markdown", "--update-readme", readme});
+    const ProcessResult result =
+        run_lacquer({"compare", "--backend", "cpp", "--markdown", "--update-readme", readme});
     expect_success(result);
     EXPECT_THAT(result.out, HasSubstr("| cpp |"));
     const std::string updated = read_file(readme);
     EXPECT_THAT(updated, HasSubstr(result.out));
     EXPECT_THAT(updated, ::testing::Not(HasSubstr("old")));
+}
+
+TEST(CompareCommand, DoesNotMakeTheTableOfAllMaterialsFromSome) {
+    const ProcessResult result = run_lacquer(
+        {"compare", "--backend", "cpp", "--material", "gold", "--update-readme", "README.md"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("--material"));
 }
 
 }  // namespace
