@@ -22,9 +22,7 @@ void add_commands(CLI::App& app) {
     lacquer::add_albedo_command(app);
     lacquer::add_slice_command(app);
     lacquer::add_sphere_command(app);
-#ifdef LACQUER_HAS_EXPORT
     lacquer::add_export_command(app);
-#endif
 #ifdef LACQUER_HAS_VIEWER
     lacquer::add_view_command(app);
 #endif

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
@@ -27,6 +28,9 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kDoubleRounding = 1e-15;
 constexpr double kFloatRounding = 5e-7;
 
+constexpr std::array kCommands{"compare", "bench",  "eval",   "albedo",
+                               "slice",   "sphere", "export", "doctor"};
+
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream stream{text};
@@ -53,7 +57,7 @@ class Commands : public ::testing::Test {
 
 TEST(Help, OfEveryCommandShowsExamples) {
     for (const char* command :
-         {"compare", "bench", "eval", "albedo", "slice", "sphere", "doctor"}) {
+         kCommands) {
         const ProcessResult result = run_lacquer({command, "--help"});
         expect_success(result);
         EXPECT_THAT(result.out, HasSubstr("Examples:\n  lacquer " + std::string{command}));
@@ -63,7 +67,7 @@ TEST(Help, OfEveryCommandShowsExamples) {
 TEST(Help, OfTheProgramListsTheCommands) {
     const ProcessResult result = run_lacquer({"--help"});
     expect_success(result);
-    for (const char* command : {"compare", "bench", "eval", "albedo", "slice", "sphere", "doctor"})
+    for (const char* command : kCommands)
         EXPECT_THAT(result.out, HasSubstr(command));
 }
 
