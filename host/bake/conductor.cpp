@@ -1,0 +1,77 @@
+// FGD of conductors over (cos_theta, alpha, eta, kappa), all orders: functions of the facets times
+// functions of the material, of which few are needed because for fixed facets FGD is nearly linear
+// in the Fresnel curve.
+#include <complex>
+
+#include "bake/low_rank.h"
+#include "bake/mirror.h"
+
+namespace lacquer::bake {
+
+namespace {
+
+constexpr std::size_t kAlphas = 16, kCosines = 24, kEtas = 24, kKappas = 24, kTerms = 12;
+
+Axis cosine_axis() {
+    return {"cos_theta", Mapping::squared, kCosines, 0.0, 1.0, "1"};
+}
+Axis material_eta_axis() {
+    return {"eta", Mapping::squared, kEtas, 0.0, 5.0, "1"};
+}
+Axis kappa_axis() {
+    return {"kappa", Mapping::squared, kKappas, 0.0, 10.0, "1"};
+}
+
+const FresnelCurves& curves() {
+    static const FresnelCurves all{kEtas * kKappas, [](std::size_t material, double cosine) {
+                                       return conductor_reflectance(
+                                           cosine,
+                                           axis_value(material_eta_axis(), material / kKappas),
+                                           axis_value(kappa_axis(), material % kKappas));
+                                   }};
+    return all;
+}
+
+void simulate_node(const Parameters& node, const SobolPoints& points, std::uint64_t seed,
+                   std::span<float> values) {
+    const std::vector<double> reflected =
+        reflected_by_facets(node[1], node[0], curves(), points, seed);
+    for (std::size_t n = 0; n < reflected.size(); ++n) values[n] = static_cast<float>(reflected[n]);
+}
+
+Eigen::VectorXd pair_weights(std::size_t slow, std::size_t fast) {
+    const Matrix outer = node_weights(slow) * node_weights(fast).transpose();
+    return Eigen::Map<const Eigen::VectorXd>(outer.data(), outer.size());
+}
+
+std::vector<TableArray> compress(const DenseValues& dense) {
+    const Eigen::VectorXd by_facets = pair_weights(kAlphas, kCosines);
+    const Eigen::VectorXd by_material = pair_weights(kEtas, kKappas);
+    const Matrix values = to_matrix(dense, kEtas * kKappas);
+    const Matrix weighted = by_facets.asDiagonal() * values * by_material.asDiagonal();
+    Matrix materials = principal_rows(weighted, kTerms);
+    Matrix facets = weighted * materials.transpose();
+    facets.array().colwise() /= by_facets.array();
+    materials.array().rowwise() /= by_material.transpose().array();
+    const Axis terms = channel_axis("term", kTerms);
+    return {
+        make_array("facets", {alpha_axis(kAlphas), cosine_axis(), terms}, facets),
+        make_array("materials", {material_eta_axis(), kappa_axis(), terms}, materials.transpose())};
+}
+
+}  // namespace
+
+TableBake bake_of_conductor() {
+    return {"conductor",
+            "FGD of conductors",
+            {{"conductor",
+              {alpha_axis(kAlphas), cosine_axis(), material_eta_axis(), kappa_axis()},
+              2,
+              simulate_node,
+              [](const EnergyTables& tables, const Parameters& p) {
+                  return tables.fgd_conductor(p[1], p[0], p[2], p[3]);
+              }}},
+            [](const std::vector<DenseValues>& dense) { return compress(dense.front()); }};
+}
+
+}  // namespace lacquer::bake

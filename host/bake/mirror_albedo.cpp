@@ -1,0 +1,64 @@
+// What single-scattering mirrors keep, over (cos_theta, alpha), and its average: the energies that
+// multiple-scattering compensation fills up.
+#include "bake/low_rank.h"
+#include "bake/mirror.h"
+
+namespace lacquer::bake {
+
+namespace {
+
+constexpr std::size_t kAlphas = 24, kCosines = 32;
+
+Axis cosine_axis() {
+    return {"cos_theta", Mapping::squared, kCosines, 0.0, 1.0, "1"};
+}
+
+void simulate_node(const Parameters& node, const SobolPoints& points, std::uint64_t seed,
+                   std::span<float> values) {
+    values[0] = static_cast<float>(reflected_once(node[1], node[0], points, seed));
+}
+
+// 2 * integral of a function cos dcos, piecewise linear in sqrt(cos) between the nodes: exact by
+// Gauss-Legendre, whose three points integrate polynomials of degree 5.
+double hemispherical_average(const Eigen::RowVectorXd& values) {
+    constexpr std::array<double, 3> kPoints{-0.7745966692414834, 0.0, 0.7745966692414834};
+    constexpr std::array<double, 3> kWeights{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+    const auto segments = values.size() - 1;
+    const double step = 1.0 / static_cast<double>(segments);
+    double sum = 0.0;
+    for (Eigen::Index n = 0; n < segments; ++n)
+        for (std::size_t point = 0; point < kPoints.size(); ++point) {
+            const double share = 0.5 * (1.0 + kPoints[point]);
+            const double t = (static_cast<double>(n) + share) * step;
+            const double value = values[n] + share * (values[n + 1] - values[n]);
+            sum += 0.5 * kWeights[point] * step * value * 4.0 * t * t * t;
+        }
+    return sum;
+}
+
+std::vector<TableArray> compress(const DenseValues& dense) {
+    const Matrix single = to_matrix(dense, kCosines);
+    Matrix average(single.rows(), 1);
+    for (Eigen::Index row = 0; row < single.rows(); ++row)
+        average(row, 0) = hemispherical_average(single.row(row));
+    const Axis one = channel_axis("energy", 1);
+    return {make_array("single", {alpha_axis(kAlphas), cosine_axis(), one}, single),
+            make_array("average", {alpha_axis(kAlphas), one}, average)};
+}
+
+}  // namespace
+
+TableBake bake_of_mirror() {
+    return {"mirror",
+            "directional and average albedo of single-scattering mirror facets",
+            {{"mirror",
+              {alpha_axis(kAlphas), cosine_axis()},
+              2,
+              simulate_node,
+              [](const EnergyTables& tables, const Parameters& p) {
+                  return tables.mirror_single(p[1], p[0]);
+              }}},
+            [](const std::vector<DenseValues>& dense) { return compress(dense.front()); }};
+}
+
+}  // namespace lacquer::bake

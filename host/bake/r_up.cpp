@@ -1,0 +1,63 @@
+// R10_bar over (alpha, eta, tau): how much of the light reflected inside the two crossings of the
+// medium leave, relative to a clear medium, whose value follows from T01.
+#include "bake/dielectric.h"
+#include "bake/low_rank.h"
+
+namespace lacquer::bake {
+
+namespace {
+
+constexpr std::size_t kAlphas = 16, kEtas = 16, kTerms = 4;
+
+void simulate_node(const Parameters& node, const SobolPoints& points, std::uint64_t seed,
+                   std::span<float> values) {
+    // An interface between equal media reflects nothing; the limit of the ratio is what counts.
+    constexpr double kNearOne = 2e-4;
+    double eta = node[1];
+    if (eta == 1.0) eta = 1.0 + kNearOne;
+    const CosineHistogram reflected = light_leaving(node[0], eta, points, seed).reflected;
+    const Axis taus = tau_axis();
+    const double clear = reflected.transmitted(1.0);
+    for (std::size_t t = 0; t < taus.size; ++t) {
+        // The histogram's cosine is that of a path of two crossings.
+        const double dimmed = reflected.transmitted(axis_value(taus, t), 2.0);
+        values[t] = static_cast<float>(clear > 0.0 ? dimmed / clear - 1.0 : 0.0);
+    }
+    values[taus.size - 1] = 0.0f;
+}
+
+void append_arrays(const std::string& prefix, Contrast contrast, const DenseValues& dense,
+                   std::vector<TableArray>& arrays) {
+    const Axis taus = tau_axis();
+    const Matrix values = to_matrix(dense, taus.size);
+    const Matrix absorption = principal_rows(values, kTerms);
+    arrays.push_back(make_array(
+        prefix + "maps",
+        {alpha_axis(kAlphas), eta_axis(contrast, kEtas), channel_axis("absorption", kTerms)},
+        values * absorption.transpose()));
+    arrays.push_back(make_array(prefix + "absorption", {taus, channel_axis("absorption", kTerms)},
+                                absorption.transpose()));
+}
+
+}  // namespace
+
+TableBake bake_of_r_up() {
+    std::vector<Quantity> quantities;
+    for (const Contrast contrast : {Contrast::thin, Contrast::dense})
+        quantities.push_back({contrast == Contrast::thin ? "r_up_thin" : "r_up_dense",
+                              {alpha_axis(kAlphas), eta_axis(contrast, kEtas), tau_axis()},
+                              2,
+                              simulate_node,
+                              [](const EnergyTables& tables, const Parameters& p) {
+                                  return tables.r_up_dimming(p[0], p[1], p[2]) - 1.0;
+                              }});
+    return {"r_up", "R10_bar over its value for a clear medium, less 1", quantities,
+            [](const std::vector<DenseValues>& dense) {
+                std::vector<TableArray> arrays;
+                append_arrays("thin_", Contrast::thin, dense[0], arrays);
+                append_arrays("dense_", Contrast::dense, dense[1], arrays);
+                return arrays;
+            }};
+}
+
+}  // namespace lacquer::bake

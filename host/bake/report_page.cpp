@@ -1,0 +1,145 @@
+// The page of plots.
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "bake/plot.h"
+#include "bake/report.h"
+
+namespace lacquer::bake {
+
+namespace {
+
+constexpr int kPoints = 120;
+
+Curve curve_over(const std::string& label, double from, double to,
+                 const std::function<double(double)>& value) {
+    Curve curve{label, {}, {}, false};
+    for (int n = 0; n <= kPoints; ++n) {
+        const double x = from + (to - from) * n / kPoints;
+        curve.x.push_back(x);
+        curve.y.push_back(value(x));
+    }
+    return curve;
+}
+
+// de Dinechin and Belcour 2022, figure 3 (a).
+std::string entering_plots(const EnergyTables& tables) {
+    std::string html;
+    for (const double eta : {0.6, 0.8, 1.5, 2.0}) {
+        Plot plot{fmt::format("T01, eta {}", eta), "cos_theta", "T01", 0, 1, 0, 1, {}};
+        for (const double alpha : {0.01, 0.1, 0.3, 0.6, 1.0})
+            plot.curves.push_back(
+                curve_over(fmt::format("alpha {}", alpha), 0, 1,
+                           [&](double cosine) { return tables.t_down(cosine, alpha, eta, 1.0); }));
+        html += svg_of(plot);
+    }
+    return html;
+}
+
+// Figure 3 (b, d): diffuse energies and the variance, over eta.
+std::string diffuse_plots(const EnergyTables& tables) {
+    constexpr double kFrom = 1.0 / 3.0, kTo = 3.0;
+    using Value = std::function<double(double, double)>;  // of alpha, eta
+    const auto plot_of = [&](const std::string& name, double top, const Value& value) {
+        Plot plot{name, "eta", name, kFrom, kTo, 0, top, {}};
+        for (const double alpha : {0.01, 0.1, 0.3, 0.6, 1.0})
+            plot.curves.push_back(curve_over(fmt::format("alpha {}", alpha), kFrom, kTo,
+                                             [&](double eta) { return value(alpha, eta); }));
+        return svg_of(plot);
+    };
+    return plot_of("R10_bar", 1.0, [&](double a, double e) { return tables.r_up(a, e, 1.0); }) +
+           plot_of("T10_bar", 1.0, [&](double a, double e) { return tables.t_up(a, e, 1.0); }) +
+           plot_of("sigma_2+", 0.3, [&](double a, double e) { return tables.variance(a, e, 1.0); });
+}
+
+// Figure 3 (c): the energy of the base's light, Eq. 3.
+std::string base_plots(const EnergyTables& tables) {
+    constexpr double kAlbedo = 0.8, kAlpha = 0.1;
+    std::string html;
+    for (const double eta : {0.8, 1.5}) {
+        Plot plot{fmt::format("rho_2+ (albedo {}, alpha {}, eta {})", kAlbedo, kAlpha, eta),
+                  "cos_theta",
+                  "rho_2+",
+                  0,
+                  1,
+                  0,
+                  1,
+                  {}};
+        for (const double tau : {1.0, 0.8, 0.5, 0.2}) {
+            const double gain = kAlbedo * tables.t_up(kAlpha, eta, tau) /
+                                (1.0 - kAlbedo * tables.r_up(kAlpha, eta, tau));
+            plot.curves.push_back(curve_over(fmt::format("tau {}", tau), 0, 1, [&](double cosine) {
+                return gain * tables.t_down(cosine, kAlpha, eta, tau);
+            }));
+        }
+        html += svg_of(plot);
+    }
+    return html;
+}
+
+// Figure 5: what compression leaves of T01, against fresh simulation (dashed).
+std::string compression_plots(const EnergyTables& tables) {
+    const Check check = all_checks().front();
+    const SobolPoints points{1 << 13};
+    std::string html;
+    for (const double eta : {0.7, 1.3}) {
+        Plot plot{fmt::format("T01 from the table, and simulated (dashed), eta {}", eta),
+                  "cos_theta",
+                  "T01",
+                  0,
+                  1,
+                  0,
+                  1,
+                  {}};
+        for (const double tau : {1.0, 0.5}) {
+            constexpr double kAlpha = 0.2;
+            plot.curves.push_back(curve_over(fmt::format("tau {}", tau), 0, 1, [&](double cosine) {
+                return tables.t_down(cosine, kAlpha, eta, tau);
+            }));
+            Curve simulated{"simulated", {}, {}, true};
+            for (int n = 0; n <= 24; ++n) {
+                const double cosine = n / 24.0;
+                simulated.x.push_back(cosine);
+                simulated.y.push_back(
+                    check.simulate({cosine, kAlpha, eta, tau}, points, mix_bits(n + 1)));
+            }
+            plot.curves.push_back(simulated);
+        }
+        html += svg_of(plot);
+    }
+    return html;
+}
+
+std::string errors_table(const BakeRecord& record) {
+    std::string html = "<table><tr><th>quantity</th><th>mean</th><th>p99</th><th>max</th></tr>";
+    for (const CheckRecord& check : record.checks)
+        html +=
+            fmt::format("<tr><td>{}</td><td>{:.5f}</td><td>{:.4f}</td><td>{:.4f}</td></tr>",
+                        check.name, check.off_grid.mean, check.off_grid.p99, check.off_grid.max);
+    return html + "</table>";
+}
+
+constexpr const char* kHead =
+    R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>Lacquer: baked tables</title><style>
+body{font:15px/1.5 system-ui,sans-serif;margin:2em auto;max-width:1180px;padding:0 1em;color:#222;background:#fff}
+svg{margin:0 10px 14px 0}svg text{font-size:11px}svg .title{font-size:13px;font-weight:600;fill:#222}
+.grid{stroke:#e3e3e3}.curve{fill:none;stroke-width:1.6}td,th{padding:2px 14px 2px 0;text-align:left}
+</style><h1>Lacquer: baked tables</h1>)";
+
+}  // namespace
+
+std::string report_page(const EnergyTables& tables, const BakeRecord& record) {
+    std::string html = kHead;
+    html += fmt::format("<p><code>{}</code>, {} walks per node, seed {}; {:.1f} KiB in all.</p>",
+                        record.command, record.settings.samples, record.settings.seed,
+                        static_cast<double>(tables.bytes()) / 1024.0);
+    html += "<h2>Errors against fresh simulation</h2>" + errors_table(record);
+    html += "<h2>Light that enters (2022, figure 3 a)</h2>" + entering_plots(tables);
+    html += "<h2>Diffuse light inside, and its spread (figure 3 b, d)</h2>" + diffuse_plots(tables);
+    html += "<h2>Light through the base (figure 3 c)</h2>" + base_plots(tables);
+    html += "<h2>Compression (figure 5)</h2>" + compression_plots(tables);
+    return html + "</html>\n";
+}
+
+}  // namespace lacquer::bake

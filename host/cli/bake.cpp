@@ -1,0 +1,134 @@
+// `lacquer bake`: rebuilds the tables by simulation.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "bake/bake.h"
+#include "bake/report.h"
+#include "cli/commands.h"
+#include "core/error.h"
+#include "core/file.h"
+
+namespace lacquer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BakeArguments {
+    std::vector<std::string> tables;
+    std::uint64_t samples = 0;  // 0: the preset's
+    std::uint64_t seed = 1;
+    bool coarse = false;
+    bool resume = false;
+    std::string report;
+    std::string folder = "tables";
+};
+
+// How much is simulated unless asked otherwise.
+struct Preset {
+    std::uint64_t samples;
+    std::size_t points;         // random points that each check looks at
+    std::size_t point_samples;  // walks of each
+};
+
+constexpr Preset kDefault{1 << 15, 2000, 1 << 14};
+constexpr Preset kCoarse{1 << 7, 100, 1 << 10};
+constexpr std::size_t kGridStride = 7;  // of the comparison with the dense bake, which is large
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string command_text(const BakeArguments& arguments, std::uint64_t samples) {
+    return fmt::format("lacquer bake{} --samples {} --seed {}", arguments.coarse ? " --coarse" : "",
+                       samples, arguments.seed);
+}
+
+bool wanted(const BakeArguments& arguments, const std::string& name) {
+    const auto& names = arguments.tables;
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Judges a complete set of tables and writes what people read about it.
+void publish(const BakeArguments& arguments, const Preset& preset,
+             const std::vector<bake::TableBake>& bakes, const std::vector<bake::BakedTable>& baked,
+             bake::BakeRecord record) {
+    std::array<Table, kTableNames.size()> tables;
+    for (std::size_t n = 0; n < tables.size(); ++n) tables[n] = baked[n].table;
+    const EnergyTables energies{tables};
+    for (std::size_t n = 0; n < bakes.size(); ++n)
+        record.tables[n].on_grid = bake::judge_on_grid(
+            bakes[n].quantities.front(), baked[n].dense.front(), energies, kGridStride);
+    // A seed of its own: points and walks that the bake has not seen.
+    const bake::BakeSettings fresh{preset.point_samples, record.settings.seed + 1};
+    for (const bake::Check& check : bake::all_checks())
+        record.checks.push_back(
+            {check.name, bake::judge_off_grid(check, energies, preset.points, fresh)});
+    record.points = preset.points;
+    record.point_samples = preset.point_samples;
+
+    const std::string text = bake::accuracy_text(record);
+    fmt::print("{}", text);
+    const fs::path readme = fs::path{arguments.folder} / "README.md";
+    if (fs::exists(readme)) write_file(readme, bake::with_accuracy(read_file(readme), text));
+    if (arguments.report.empty()) return;
+    fs::create_directories(arguments.report);
+    write_file(fs::path{arguments.report} / "tables.html", bake::report_page(energies, record));
+}
+
+void run(const BakeArguments& arguments) {
+    const bake::Ranks ranks;
+    const Preset& preset = arguments.coarse ? kCoarse : kDefault;
+    bake::BakeRun run;
+    run.settings.samples = arguments.samples != 0 ? arguments.samples : preset.samples;
+    run.settings.seed = arguments.seed;
+    run.folder = arguments.folder;
+    run.resume = arguments.resume;
+    std::error_code failure;
+    fs::create_directories(run.folder, failure);
+    if (failure)
+        throw Error{fmt::format("making folder '{}': {}", run.folder.string(), failure.message())};
+
+    bake::BakeRecord record;
+    record.command = command_text(arguments, run.settings.samples);
+    record.settings = run.settings;
+    std::vector<bake::TableBake> bakes;
+    std::vector<bake::BakedTable> baked;
+    for (bake::TableBake& each : bake::all_table_bakes()) {
+        if (!wanted(arguments, each.name)) continue;
+        const auto start = std::chrono::steady_clock::now();
+        baked.push_back(bake::bake_table(each, run, ranks));
+        record.tables.push_back(
+            {each.name, payload_bytes(baked.back().table), seconds_since(start), {}});
+        bakes.push_back(std::move(each));
+    }
+    if (!ranks.first()) return;
+    if (baked.size() == kTableNames.size())
+        publish(arguments, preset, bakes, baked, std::move(record));
+    else if (!arguments.report.empty())
+        throw UsageError{"--report needs all tables: leave --table out"};
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& app) {
+    auto arguments = std::make_shared<BakeArguments>();
+    CLI::App* command = app.add_subcommand("bake", "Rebuild the tables by simulation");
+    command->add_option("--table", arguments->tables, "Bake this one only (repeatable)")
+        ->check(CLI::IsMember(std::vector<std::string>{kTableNames.begin(), kTableNames.end()}));
+    command->add_option("--samples", arguments->samples, "Walks per node [32768; coarse: 128]")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 24));
+    command->add_option("--seed", arguments->seed, "Seed of all walks [1]");
+    command->add_flag("--coarse", arguments->coarse, "Few walks: noisy tables in seconds");
+    command->add_flag("--resume", arguments->resume, "Go on with a bake that was interrupted");
+    command->add_option("--report", arguments->report, "Folder for a page of plots, tables.html");
+    command->add_option("-o,--output", arguments->folder, "Folder of the tables [tables]");
+    command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace lacquer

@@ -1,0 +1,141 @@
+#include "tables/energy_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "tables/table_file.h"
+
+namespace lacquer {
+
+namespace {
+
+constexpr double kMinEta = 0.3333, kMaxEta = 3.0;
+constexpr double kSlack = 1e-9;  // of quotients such as 1 / 3.0
+
+std::array<Table, kTableNames.size()> read_all(const std::filesystem::path& folder) {
+    std::array<Table, kTableNames.size()> tables;
+    for (std::size_t n = 0; n < tables.size(); ++n) {
+        const std::filesystem::path file = folder / (std::string{kTableNames[n]} + ".bin");
+        tables[n] = read_table(file);
+        if (tables[n].name != kTableNames[n])
+            throw Error{
+                fmt::format("reading table '{}': it holds '{}'", file.string(), tables[n].name)};
+    }
+    return tables;
+}
+
+void require(const char* name, double value, double low, double high) {
+    if (!(value >= low - kSlack && value <= high + kSlack))
+        throw Error{fmt::format("{}: {} is outside [{:.6g}, {:.6g}]", name, value, low, high)};
+}
+
+void require_interface(double alpha, double eta) {
+    require("alpha", alpha, 0.0, 1.0);
+    require("eta", eta, kMinEta, kMaxEta);
+}
+
+std::string prefixed(Contrast contrast, const char* array) {
+    return (contrast == Contrast::thin ? "thin_" : "dense_") + std::string{array};
+}
+
+std::vector<double> over_two(const TableArray& array, double first, double second) {
+    return interpolate(array, std::array{axis_position(array.axes[0], first),
+                                         axis_position(array.axes[1], second)});
+}
+
+std::vector<double> over_one(const TableArray& array, double value) {
+    return interpolate(array, std::array{axis_position(array.axes[0], value)});
+}
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0.0;
+    for (std::size_t n = 0; n < std::min(a.size(), b.size()); ++n) sum += a[n] * b[n];
+    return sum;
+}
+
+}  // namespace
+
+EnergyTables::EnergyTables(const std::filesystem::path& folder) : EnergyTables{read_all(folder)} {}
+
+EnergyTables::EnergyTables(const std::array<Table, kTableNames.size()>& tables)
+    : thin_{tables[0], Contrast::thin},
+      dense_{tables[1], Contrast::dense},
+      r_up_{tables[2]},
+      conductor_{tables[3]},
+      tir_{tables[4]},
+      mirror_{tables[5]} {
+    for (const Table& table : tables) bytes_ += payload_bytes(table);
+}
+
+TransmissionProfile EnergyTables::t_down_profile(double alpha, double eta, double tau) const {
+    require_interface(alpha, eta);
+    require("tau", tau, 0.0, 1.0);
+    const bool thin = contrast_of(eta) == Contrast::thin;
+    return (thin ? thin_ : dense_).profile(alpha, eta, tau);
+}
+
+double EnergyTables::t_down(double cos_theta, double alpha, double eta, double tau) const {
+    require("cos_theta", cos_theta, 0.0, 1.0);
+    return t_down_profile(alpha, eta, tau).at(cos_theta);
+}
+
+double EnergyTables::t_up(double alpha, double eta, double tau) const {
+    // Reciprocity: T10_bar eta^2 = T01_bar, and a path has the same length both ways.
+    return std::min(t_down_profile(alpha, eta, tau).average() / (eta * eta), 1.0);
+}
+
+double EnergyTables::r_up(double alpha, double eta, double tau) const {
+    return (1.0 - t_up(alpha, eta, 1.0)) * r_up_dimming(alpha, eta, tau);
+}
+
+double EnergyTables::r_up_dimming(double alpha, double eta, double tau) const {
+    require_interface(alpha, eta);
+    require("tau", tau, 0.0, 1.0);
+    const Contrast contrast = contrast_of(eta);
+    const double change = dot(over_two(r_up_.array(prefixed(contrast, "maps")), alpha, eta),
+                              over_one(r_up_.array(prefixed(contrast, "absorption")), tau));
+    return std::clamp(1.0 + change, 0.0, 1.0);
+}
+
+double EnergyTables::variance(double alpha, double eta, double tau) const {
+    return t_down_profile(alpha, eta, tau).variance();
+}
+
+double EnergyTables::fgd_dielectric(double cos_theta, double alpha, double eta) const {
+    return 1.0 - t_down(cos_theta, alpha, eta, 1.0);
+}
+
+double EnergyTables::fgd_conductor(double cos_theta, double alpha, double eta, double kappa) const {
+    require("cos_theta", cos_theta, 0.0, 1.0);
+    require("alpha", alpha, 0.0, 1.0);
+    require("eta", eta, 0.0, 5.0);
+    require("kappa", kappa, 0.0, 10.0);
+    const double value = dot(over_two(conductor_.array("facets"), alpha, cos_theta),
+                             over_two(conductor_.array("materials"), eta, kappa));
+    return std::clamp(value, 0.0, 1.0);
+}
+
+double EnergyTables::tir(double cos_theta, double alpha, double eta) const {
+    require("cos_theta", cos_theta, 0.0, 1.0);
+    require_interface(alpha, eta);
+    const Contrast contrast = contrast_of(eta);
+    const double value = dot(
+        over_two(tir_.array(prefixed(contrast, "maps")), alpha, eta),
+        over_one(tir_.array(prefixed(contrast, "profile")), profile_coordinate(cos_theta, eta)));
+    return std::clamp(value, 0.0, 1.0);
+}
+
+double EnergyTables::mirror_single(double cos_theta, double alpha) const {
+    require("cos_theta", cos_theta, 0.0, 1.0);
+    require("alpha", alpha, 0.0, 1.0);
+    return over_two(mirror_.array("single"), alpha, cos_theta).front();
+}
+
+double EnergyTables::mirror_single_average(double alpha) const {
+    require("alpha", alpha, 0.0, 1.0);
+    return over_one(mirror_.array("average"), alpha).front();
+}
+
+}  // namespace lacquer

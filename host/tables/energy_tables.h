@@ -1,0 +1,76 @@
+// What the baked tables say about light at one rough interface: the reference look-up, in double
+// precision with exact linear filtering, of the bytes that shaders read.
+// Based on: de Dinechin and Belcour 2022, section 3; Belcour 2018, Eqs. 28-35
+//
+// Everywhere: cos_theta in [0, 1]; alpha in [0, 1] of GGX facets; eta = ior below / ior above in
+// [1/3, 3]; tau in [0, 1], the transmittance of the medium below along its normal. Arguments beyond
+// a range throw Error naming it. All orders of scattering are in all values.
+#pragma once
+
+#include <filesystem>
+
+#include "tables/table.h"
+#include "tables/transmission.h"
+
+namespace lacquer {
+
+// The files, without ".bin", in the order in which they are baked.
+inline constexpr std::array<const char*, 6> kTableNames{"t_down_thin", "t_down_dense", "r_up",
+                                                        "conductor",   "tir",          "mirror"};
+
+class EnergyTables {
+ public:
+    // Reads the files of kTableNames in `folder`; throws Error naming the one that is missing or
+    // damaged.
+    explicit EnergyTables(const std::filesystem::path& folder);
+
+    // From tables in memory, in the order of kTableNames.
+    explicit EnergyTables(const std::array<Table, kTableNames.size()>& tables);
+
+    // T01 as a function of direction, for shading that meets one interface with many lights.
+    TransmissionProfile t_down_profile(double alpha, double eta, double tau) const;
+
+    // T01: light arriving at cos_theta from above that enters and crosses the medium.
+    double t_down(double cos_theta, double alpha, double eta, double tau) const;
+
+    // T10_bar: diffuse light that crosses the medium upwards and leaves.
+    double t_up(double alpha, double eta, double tau) const;
+
+    // R10_bar: diffuse light that crosses upwards, is reflected inside and crosses again.
+    double r_up(double alpha, double eta, double tau) const;
+
+    // The medium's part of it: r_up over its value for tau 1, whatever that is.
+    double r_up_dimming(double alpha, double eta, double tau) const;
+
+    // sigma_2+: variance of the light that leaves, per axis of the projected disk.
+    double variance(double alpha, double eta, double tau) const;
+
+    // Light arriving at cos_theta from above that is reflected. From below: eta inverted.
+    double fgd_dielectric(double cos_theta, double alpha, double eta) const;
+
+    // The same for a conductor of relative index eta + i kappa, eta in [0, 5], kappa in [0, 10].
+    double fgd_conductor(double cos_theta, double alpha, double eta, double kappa) const;
+
+    // Mean of 1 - F(eta) over the directions into which GGX mirrors of `alpha` reflect light that
+    // arrives at cos_theta (single scattering, weighted by energy): what a smooth interface of
+    // relative index `eta`, as seen by the light on its way to it, lets through of such a lobe. The
+    // TIR term of Belcour 2018, Eq. 33. alpha 0: 1 - F(cos_theta, eta).
+    double tir(double cos_theta, double alpha, double eta) const;
+
+    // Light that perfect GGX mirrors reflect at their first facet: what single-scattering models
+    // keep, and multiple-scattering compensation fills up to 1.
+    double mirror_single(double cos_theta, double alpha) const;
+
+    // 2 * integral of mirror_single cos dcos over [0, 1].
+    double mirror_single_average(double alpha) const;
+
+    // Bytes that shaders keep in memory.
+    std::size_t bytes() const { return bytes_; }
+
+ private:
+    TransmissionTable thin_, dense_;
+    Table r_up_, conductor_, tir_, mirror_;
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace lacquer

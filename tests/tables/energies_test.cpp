@@ -1,0 +1,120 @@
+// The committed tables: identities that hold whatever the compression, closed forms, simulation.
+#include "tables/energy_tables.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bake/accuracy.h"
+#include "bake/dielectric.h"
+#include "core/error.h"
+#include "simulator/facet_material.h"
+#include "simulator/interface.h"
+
+namespace lacquer {
+
+namespace {
+
+const EnergyTables& tables() {
+    static const EnergyTables all{std::filesystem::path{BAKED_TABLES}};
+    return all;
+}
+
+// What the tables promise over their whole range (tables/README.md).
+constexpr double kMaxError = 0.01;
+
+}  // namespace
+
+TEST(Energies, NoLightIsLostOverAWhiteBase) {
+    // FGD + T01 T10 / (1 - R10) = 1 for a clear coat, by construction: up to rounding.
+    for (const double eta : {0.4, 0.8, 1.0, 1.5, 2.7})
+        for (const double alpha : {0.0, 0.1, 0.7})
+            for (const double cosine : {0.1, 0.6, 1.0}) {
+                const double base = tables().t_down(cosine, alpha, eta, 1.0) *
+                                    tables().t_up(alpha, eta, 1.0) /
+                                    (1.0 - tables().r_up(alpha, eta, 1.0));
+                EXPECT_NEAR(tables().fgd_dielectric(cosine, alpha, eta) + base, 1.0, 1e-12);
+            }
+}
+
+TEST(Energies, AverageIsTheIntegralOfTheProfile) {
+    constexpr int kSteps = 20000;
+    for (const double eta : {0.35, 0.77, 1.2, 2.9}) {
+        const TransmissionProfile profile = tables().t_down_profile(0.3, eta, 0.6);
+        double energy = 0.0, spread = 0.0;
+        for (int n = 0; n < kSteps; ++n) {
+            const double cosine = (n + 0.5) / kSteps;
+            const double light = 2.0 * profile.at(cosine) * cosine / kSteps;
+            energy += light;
+            spread += 0.5 * light * (1.0 - cosine * cosine);
+        }
+        // The profile is clamped to [0, 1] where compression leaves it, the average is not.
+        constexpr double kClamping = 1e-3;
+        EXPECT_NEAR(profile.average(), energy, kClamping);
+        EXPECT_NEAR(profile.variance(), spread / energy, 3.0 * kClamping);
+    }
+}
+
+TEST(Energies, SmoothInterfacesFollowFresnel) {
+    for (const double eta : {0.35, 0.6, 0.9, 1.1, 1.5, 2.8})
+        for (const double cosine : {0.1, 0.3, 0.5, 0.8, 1.0}) {
+            const double transmitted = 1.0 - simulator::dielectric_reflectance(cosine, eta);
+            EXPECT_NEAR(tables().t_down(cosine, 0.0, eta, 1.0), transmitted, 2.0 * kMaxError)
+                << eta << " " << cosine;
+            EXPECT_NEAR(tables().tir(cosine, 0.0, eta), transmitted, 2.0 * kMaxError)
+                << eta << " " << cosine;
+        }
+}
+
+TEST(Energies, SmoothDiffuseReflectance) {
+    // Closed form for eta 1.5 (theory of Fresnel averages): 0.59635.
+    EXPECT_NEAR(tables().r_up(0.0, 1.5, 1.0), 0.59635, 0.003);
+}
+
+TEST(Energies, NothingCrossesAnOpaqueMedium) {
+    EXPECT_EQ(tables().t_down(0.7, 0.2, 1.5, 0.0), 0.0);
+    EXPECT_EQ(tables().t_up(0.2, 1.5, 0.0), 0.0);
+}
+
+TEST(Energies, SmoothMirrorsReflectEverythingOnce) {
+    EXPECT_EQ(tables().mirror_single(0.4, 0.0), 1.0);
+    EXPECT_NEAR(tables().mirror_single_average(0.0), 1.0, 1e-3);
+}
+
+TEST(Energies, ArgumentsOutsideTheRangesAreErrors) {
+    EXPECT_THROW(tables().t_down(0.5, 1.5, 1.5, 1.0), Error);
+    EXPECT_THROW(tables().t_down(0.5, 0.5, 3.5, 1.0), Error);
+    EXPECT_THROW(tables().t_down(0.5, 0.5, 1.5, -0.1), Error);
+    EXPECT_THROW(tables().t_down(std::nan(""), 0.5, 1.5, 1.0), Error);
+    EXPECT_THROW(tables().fgd_conductor(0.5, 0.5, 6.0, 1.0), Error);
+}
+
+TEST(Energies, AllTablesFitTheirBudget) {
+    EXPECT_LE(tables().bytes(), 128u * 1024u);
+}
+
+TEST(Energies, AgreeWithTheSimulator) {
+    // The simulator shares no code with what baked the tables.
+    struct Point {
+        double alpha, eta, tau, cosine;
+    };
+    for (const auto [alpha, eta, tau, cosine] :
+         {Point{0.05, 0.6, 0.7, 0.9}, Point{0.4, 0.8, 1.0, 0.5}, Point{0.2, 1.3, 0.5, 0.3},
+          Point{0.8, 1.6, 0.9, 0.7}, Point{0.5, 2.5, 0.2, 0.95}}) {
+        simulator::RunOptions options;
+        options.samples = 200'000;
+        const auto truth =
+            simulator::estimate_interface({Ndf::ggx, alpha, alpha}, eta, tau, cosine, options);
+        const auto tolerance = [](const simulator::Estimate& estimate) {
+            return kMaxError + 4.0 * estimate.standard_error;
+        };
+        EXPECT_NEAR(tables().t_down(cosine, alpha, eta, tau), truth.t_down.mean,
+                    tolerance(truth.t_down));
+        EXPECT_NEAR(tables().t_up(alpha, eta, tau), truth.t_up.mean, tolerance(truth.t_up));
+        EXPECT_NEAR(tables().r_up(alpha, eta, tau), truth.r_up.mean, tolerance(truth.r_up));
+        EXPECT_NEAR(tables().variance(alpha, eta, tau), truth.variance.mean,
+                    tolerance(truth.variance));
+    }
+}
+
+}  // namespace lacquer
