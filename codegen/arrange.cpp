@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "codegen/emit.h"
 #include "codegen/text/expressions.h"
 
 namespace lacquer::codegen {
@@ -93,9 +94,9 @@ class Definitions {
     std::map<std::string, Statement> by_name_;
 };
 
-// SPIRV-Cross names its own functions so.
+// What the translator defines for itself.
 bool is_helper(const text::Definition& definition) {
-    return definition.name.starts_with("spv");
+    return definition.name.starts_with("spv") || definition.name.starts_with(kTableName);
 }
 
 std::set<std::string> declared_names(const std::vector<SourceModule>& modules) {
@@ -105,7 +106,7 @@ std::set<std::string> declared_names(const std::vector<SourceModule>& modules) {
     return names;
 }
 
-// Functions of the translator (spvName) that `kept` mentions, directly or through others.
+// Definitions of the translator that `kept` mentions, directly or through others.
 Statements needed_helpers(const Statements& translated, const Statements& kept, Dialect dialect) {
     Statements helpers;
     for (auto statement = translated.rbegin(); statement != translated.rend(); ++statement) {
@@ -118,6 +119,22 @@ Statements needed_helpers(const Statements& translated, const Statements& kept, 
             helpers.insert(helpers.begin(), *statement);
     }
     return helpers;
+}
+
+// The same without the definitions of the translator that nothing mentions.
+Statements without_needless_helpers(Statements translated, Dialect dialect) {
+    Statements kept;
+    std::ranges::copy_if(translated, std::back_inserter(kept), [&](const Statement& statement) {
+        return !is_helper(definition_of(statement, dialect));
+    });
+    std::set<std::string> needed;
+    for (const Statement& helper : needed_helpers(translated, kept, dialect))
+        needed.insert(definition_of(helper, dialect).name);
+    std::erase_if(translated, [&](const Statement& statement) {
+        const text::Definition definition = definition_of(statement, dialect);
+        return is_helper(definition) && !needed.contains(definition.name);
+    });
+    return translated;
 }
 
 // What stands above all definitions: directives, precisions, the size of a workgroup.
@@ -164,6 +181,7 @@ Statements arrange_library(Statements translated, const std::vector<SourceModule
 
 Statements arrange_kernel(Statements translated, const std::vector<SourceModule>& modules,
                           Dialect dialect) {
+    translated = without_needless_helpers(std::move(translated), dialect);
     const Definitions definitions{translated, dialect};
     const std::set<std::string> declared = declared_names(modules);
     Statements opening;

@@ -27,6 +27,11 @@ inline constexpr const char* kMslEntryPoint = "main0";
 // WGSL from what naga made of the module.
 text::Statements emit_wgsl(const std::string& naga_text);
 
+// Constants that have no name in the source, such as the values of a local table, get this and a
+// letter.
+inline constexpr const char* kTableName = "lq_values_";
+void name_tables(text::Statements& statements, text::Dialect dialect);
+
 // What all languages of the C family are tidied by: numbers, parentheses, choices, names.
 void tidy_c_family(text::Statements& statements, text::Dialect dialect);
 

@@ -55,14 +55,16 @@ std::vector<std::string> translate_to_wgsl(std::span<const NagaJob> jobs) {
     return texts;
 }
 
-std::vector<std::string> check_wgsl(std::span<const std::string> texts) {
+std::vector<NagaAnswer> translate_from_wgsl(std::span<const std::string> texts) {
     if (texts.empty()) return {};
     Json request = Json::array();
     for (const std::string& text : texts) request.push_back({{"wgsl", text}});
     const Json answers = ask_naga(request);
-    std::vector<std::string> complaints;
-    for (const Json& answer : answers) complaints.push_back(answer.value("error", std::string{}));
-    return complaints;
+    std::vector<NagaAnswer> translated;
+    for (const Json& answer : answers)
+        translated.push_back(
+            {answer.value("spirv", Words{}), answer.value("error", std::string{})});
+    return translated;
 }
 
 }  // namespace lacquer::codegen

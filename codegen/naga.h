@@ -18,7 +18,11 @@ struct NagaJob {
 // WGSL for each module, in one process. Throws Error with naga's message where it refuses one.
 std::vector<std::string> translate_to_wgsl(std::span<const NagaJob> jobs);
 
-// naga's complaints about WGSL texts, in one process; empty where there are none.
-std::vector<std::string> check_wgsl(std::span<const std::string> texts);
+// The same the other way, for tests of what `translate_to_wgsl` gave.
+struct NagaAnswer {
+    Words words;
+    std::string complaint;  // empty where naga accepts the text
+};
+std::vector<NagaAnswer> translate_from_wgsl(std::span<const std::string> texts);
 
 }  // namespace lacquer::codegen

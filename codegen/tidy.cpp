@@ -22,13 +22,28 @@ text::Dialect dialect_of(Target target) {
     }
 }
 
+void name_tables(text::Statements& statements, text::Dialect dialect) {
+    char letter = 'a';
+    for (const text::Statement& statement : text::Statements{statements}) {
+        const text::Definition definition = definition_of(statement, dialect);
+        const bool nameless =
+            definition.kind == text::DefinitionKind::constant && definition.name.starts_with('_');
+        if (!nameless) continue;
+        rename(statements, definition.name, std::string{kTableName} + letter);
+        if (letter < 'z') ++letter;
+    }
+}
+
 void tidy_c_family(text::Statements& statements, text::Dialect dialect) {
+    name_tables(statements, dialect);
     std::vector<std::string> names;
     for (const text::Statement& statement : statements)
         names.push_back(definition_of(statement, dialect).name);
     for (text::Statement& statement : statements) {
         if (definition_of(statement, dialect).kind != text::DefinitionKind::function) continue;
         text::restore_choices(statement);
+        text::drop_copies(statement, dialect);
+        text::inline_constants(statement, dialect);
         text::name_locals(statement, dialect);
         text::restore_names(statement, dialect, names);
     }

@@ -95,6 +95,7 @@ Statements emit_wgsl(const std::string& naga_text) {
         text::parenthesize_conditions(statement);
         drop_final_return(statement);
     }
+    name_tables(statements, Dialect::wgsl);
     std::vector<std::string> names;
     for (const Statement& statement : statements)
         names.push_back(definition_of(statement, Dialect::wgsl).name);
@@ -106,8 +107,9 @@ Statements emit_wgsl(const std::string& naga_text) {
     for (Statement& statement : statements) {
         if (!is_function(statement)) continue;
         text::restore_compound_assignments(statement);
-        text::restore_for(statement);
+        text::restore_loops(statement);
         for_each_tokens(statement.body, text::remove_parentheses);
+        text::drop_copies(statement, Dialect::wgsl);
         text::name_locals(statement, Dialect::wgsl);
         text::name_built_ins(statement, Dialect::wgsl);
         text::restore_names(statement, Dialect::wgsl, names);

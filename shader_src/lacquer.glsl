@@ -14,6 +14,7 @@
 #include "core/sampling.glsl"
 #include "lighting/sphere.glsl"
 #include "lighting/tone_mapping.glsl"
+#include "microsurface/walk.glsl"
 
 // Levels:
 #include "plain/plain.glsl"

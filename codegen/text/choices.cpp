@@ -19,11 +19,6 @@ std::string selected_by(const Statement& statement) {
     return assigns && is_selected(head[0]) ? head[0].text : std::string{};
 }
 
-Tokens slice(const Tokens& tokens, std::size_t first, std::size_t last) {
-    return {tokens.begin() + static_cast<std::ptrdiff_t>(first),
-            tokens.begin() + static_cast<std::ptrdiff_t>(last)};
-}
-
 void append(Tokens& tokens, Tokens more, bool space) {
     more.front().space = space;
     tokens.insert(tokens.end(), more.begin(), more.end());
@@ -103,8 +98,8 @@ void restore_choices(Statement& function) {
             changed = join_branches(list) || changed;
             changed = substitute(list, function) || changed;
         });
+        drop_unused(function);
     }
-    drop_unused(function);
 }
 
 }  // namespace lacquer::codegen::text

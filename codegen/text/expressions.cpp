@@ -12,6 +12,8 @@ namespace {
 // How tightly operators bind; only those whose order every reader knows.
 constexpr int kOutside = 0;  // no operator: a bracket, a comma, an assignment
 constexpr int kTernary = 1;
+constexpr int kOr = 2;
+constexpr int kAnd = 3;
 constexpr int kComparison = 4;
 constexpr int kSum = 6;
 constexpr int kProduct = 7;
@@ -27,7 +29,8 @@ int binary_precedence(const Token& token) {
     if (token.is("<") || token.is(">") || token.is("<=") || token.is(">=")) return kComparison;
     if (token.is("==") || token.is("!=")) return kComparison;
     if (token.is("?") || token.is(":")) return kTernary;
-    return kUntouchable;
+    if (token.is("&&")) return kAnd;
+    return token.is("||") ? kOr : kUntouchable;
 }
 
 bool opens(const Token& token) {
@@ -96,8 +99,8 @@ int inner_precedence(const Tokens& tokens, std::size_t open, std::size_t close) 
 
 // Whether `tokens` at `index` begins an operand, so that `(T)` before it may be a cast.
 bool is_operand_start(const Tokens& tokens, std::size_t index) {
-    return index < tokens.size() && (tokens[index].kind != TokenKind::punctuation ||
-                                     tokens[index].is("(") || tokens[index].is("&"));
+    return index < tokens.size() &&
+           (tokens[index].kind != TokenKind::punctuation || tokens[index].is("("));
 }
 
 bool is_removable(const Tokens& tokens, std::size_t open, std::size_t close) {
@@ -112,9 +115,10 @@ bool is_removable(const Tokens& tokens, std::size_t open, std::size_t close) {
     if (inner < kOutside || left < kOutside || right < kOutside) return false;
     // `a - -b` would be hard to read.
     const bool signed_operand = tokens[open + 1].is("-") && left >= kSum;
-    // Nested choices and comparisons read better apart.
+    // Nested choices and comparisons read better apart, and so do "and" within "or".
     const bool nested = (inner == kTernary && (left > kOutside || right > kOutside)) ||
-                        (inner == kComparison && (left == kComparison || right == kComparison));
+                        (inner == kComparison && (left == kComparison || right == kComparison)) ||
+                        (inner == kAnd && (left == kOr || right == kOr));
     return !signed_operand && !nested && inner > left && inner >= right;
 }
 
@@ -126,18 +130,20 @@ std::size_t vector_width(const Token& token) {
     return static_cast<std::size_t>(token.text[token.text.find_last_of("234")] - '0');
 }
 
-// The letters of `name.xy`, where tokens [first, last] are that: names and members only.
+// The letters of `name.xy`, where tokens [first, last] are that: names, members and indices only.
 std::string components_of(const Tokens& tokens, std::size_t first, std::size_t last) {
     if (last < first + 2 || !tokens[last - 1].is(".")) return {};
     for (std::size_t i = first; i < last; ++i)
-        if (tokens[i].kind != TokenKind::identifier && !tokens[i].is(".")) return {};
+        if (tokens[i].is("(") || tokens[i].is(",") || (i == first && opens(tokens[i]))) return {};
+    int depth = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        if (tokens[i].is("[")) ++depth;
+        if (tokens[i].is("]")) --depth;
+        const bool part = tokens[i].kind == TokenKind::identifier || tokens[i].is(".");
+        if (depth == 0 && !part && !tokens[i].is("]")) return {};
+    }
     const std::string& letters = tokens[last].text;
     return letters.find_first_not_of("xyzw") == std::string::npos ? letters : std::string{};
-}
-
-Tokens slice(const Tokens& tokens, std::size_t first, std::size_t last) {
-    return {tokens.begin() + static_cast<std::ptrdiff_t>(first),
-            tokens.begin() + static_cast<std::ptrdiff_t>(std::max(first, last))};
 }
 
 bool same_words(const Tokens& a, const Tokens& b) {

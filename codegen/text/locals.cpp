@@ -99,11 +99,50 @@ bool is_digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
+// What glslang calls the copy of a value that it indexes.
+constexpr std::string_view kCopyName = "indexable";
+
 // What the translator calls a value that has no name in the source.
 bool is_nameless(const std::string& name) {
     const bool number = name.size() > 1 && name[0] == '_' && is_digit(name[1]);
     const bool naga = name.size() > 2 && name.starts_with("_e") && is_digit(name[2]);
-    return number || naga || name.starts_with(kSelectedName);
+    const bool phi = name.starts_with("phi_") && name.ends_with('_');
+    return number || naga || phi || name.starts_with(kSelectedName) || name.starts_with(kCopyName);
+}
+
+// Whether anything in `statement` stores to `name`, or might.
+bool may_write(const Statement& statement, const std::string& name) {
+    const Tokens& head = statement.head;
+    for (std::size_t i = 0; i < head.size(); ++i) {
+        if (!head[i].is(name) || !is_free_name(head, i)) continue;
+        const bool passed = i > 0 && head[i - 1].is("&");
+        const bool counted = head.size() == 2 && (head[1].is("++") || head[1].is("--"));
+        std::size_t after = i + 1;
+        while (after < head.size() && (head[after].is("[") || head[after].is(".")))
+            after = head[after].is("[") ? closing(head, after) + 1 : after + 2;
+        const bool set = i == 0 && after < head.size() && head[after].text.ends_with('=');
+        if (passed || counted || set) return true;
+    }
+    return std::ranges::any_of(statement.body,
+                               [&](const Statement& inner) { return may_write(inner, name); });
+}
+
+// The name that `T indexable = name;` or `copy(indexable, name);` copies; nothing otherwise.
+std::string copied_by(const Statement& statement, const std::string& copy) {
+    const Tokens& head = statement.head;
+    if (head.size() < 3 || head.back().kind == TokenKind::number) return {};
+    const Token& before = head[head.size() - 2];
+    if (before.is("=") && head.back().kind == TokenKind::identifier && mentions(head, copy))
+        return head.back().text;
+    const bool call =
+        head[0].text.starts_with("spvArrayCopy") && head.size() == 6 && head[2].is(copy);
+    return call ? head[4].text : std::string{};
+}
+
+// Puts `value` in the place of `name` in the statement and all within.
+void substitute(Statement& statement, const std::string& name, const Tokens& value) {
+    text::substitute(statement.head, name, value);
+    for (Statement& inner : statement.body) substitute(inner, name, value);
 }
 
 // "LqPlainSurface" as "plain_surface".
@@ -134,6 +173,26 @@ void restore_names(Statement& function, Dialect dialect, const std::vector<std::
     NameRestorer{dialect, reserved}.function(function);
 }
 
+void inline_constants(Statement& function, Dialect dialect) {
+    for_each_list(function.body, [&](Statements& list) {
+        for (std::size_t i = 0; i < list.size();) {
+            const std::string name = declared_by(list[i], dialect);
+            const Tokens& head = list[i].head;
+            const auto equals = std::ranges::find(head, "=", &Token::text);
+            const Tokens value{equals == head.end() ? equals : equals + 1, head.end()};
+            const bool constant = !value.empty() && std::ranges::all_of(value, [](const Token& t) {
+                return t.kind != TokenKind::identifier || t.text.starts_with("LQ_");
+            });
+            if (!is_nameless(name) || !constant || value[0].is("{")) {
+                ++i;
+                continue;
+            }
+            for (std::size_t k = i + 1; k < list.size(); ++k) substitute(list[k], name, value);
+            list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    });
+}
+
 void name_locals(Statement& function, Dialect dialect) {
     for_each_list(function.body, [&](Statements& list) {
         for (std::size_t i = 0; i < list.size(); ++i) {
@@ -141,12 +200,36 @@ void name_locals(Statement& function, Dialect dialect) {
             if (!is_nameless(name)) continue;
             const bool returned = i + 1 < list.size() && list[i + 1].head.size() == 2 &&
                                   list[i + 1].starts_with("return") && list[i + 1].head[1].is(name);
-            const std::string type = snake_case(list[i].head[0].text);
-            const std::string wished = returned                          ? "result"
-                                       : name.starts_with(kSelectedName) ? "selected"
-                                       : dialect == Dialect::wgsl        ? "value"
-                                                                         : type;
+            const bool record = list[i].head[0].text.starts_with("Lq");
+            const std::string type = record ? snake_case(list[i].head[0].text) : "values";
+            const std::string wished = returned ? "result"
+                                       : name.starts_with(kSelectedName) || name.starts_with("phi_")
+                                           ? "selected"
+                                       : dialect == Dialect::wgsl ? "value"
+                                                                  : type;
             rename(function.body, name, unused_name(function, wished));
+        }
+    });
+}
+
+void drop_copies(Statement& function, Dialect dialect) {
+    for_each_list(function.body, [&](Statements& list) {
+        for (std::size_t i = 0; i < list.size();) {
+            const std::string copy = declared_by(list[i], dialect);
+            const bool apart = i + 1 < list.size() && copied_by(list[i], copy).empty();
+            const std::size_t last = apart ? i + 1 : i;
+            const std::string name = copy.starts_with(kCopyName) ? copied_by(list[last], copy) : "";
+            const auto written = [&](const Statement& statement) {
+                return may_write(statement, name) || may_write(statement, copy);
+            };
+            const auto rest = list.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+            if (name.empty() || std::any_of(rest, list.end(), written)) {
+                ++i;
+                continue;
+            }
+            for (auto statement = rest; statement != list.end(); ++statement)
+                rename(*statement, copy, name);
+            list.erase(list.begin() + static_cast<std::ptrdiff_t>(i), rest);
         }
     });
 }

@@ -17,6 +17,13 @@ void restore_names(Statement& function, Dialect dialect, const std::vector<std::
 // they are returned at once, otherwise that of their type in snake_case, `selected` or `value`.
 void name_locals(Statement& function, Dialect dialect);
 
+// Drops the copies that glslang makes of values in order to index them, where the value stays as
+// it is for as long as the copy is used.
+void drop_copies(Statement& function, Dialect dialect);
+
+// Puts the value of nameless variables (`_123`) that only constants make up where they are used.
+void inline_constants(Statement& function, Dialect dialect);
+
 // Gives locals named after a built-in (`gl_VertexIndex_1`) a name of their own: `vertex_index`.
 void name_built_ins(Statement& function, Dialect dialect);
 

@@ -86,6 +86,24 @@ std::string join(const Tokens& tokens) {
     return line;
 }
 
+Tokens slice(const Tokens& tokens, std::size_t first, std::size_t last) {
+    return {tokens.begin() + static_cast<std::ptrdiff_t>(first),
+            tokens.begin() + static_cast<std::ptrdiff_t>(std::max(first, last))};
+}
+
+void substitute(Tokens& tokens, std::string_view name, const Tokens& value) {
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        if (!tokens[i].is(name) || !is_free_name(tokens, i)) continue;
+        Tokens group = value;
+        group.front().space = false;
+        group.insert(group.begin(), Token{.text = "(", .space = tokens[i].space});
+        group.push_back(Token{.text = ")"});
+        const auto at = tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i));
+        tokens.insert(at, group.begin(), group.end());
+        i += group.size() - 1;
+    }
+}
+
 std::size_t closing(const Tokens& tokens, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < tokens.size(); ++i) {

@@ -31,6 +31,12 @@ Tokens tokenize(std::string_view source);
 // The tokens as one line.
 std::string join(const Tokens& tokens);
 
+// Tokens [first, last); none where last comes before first.
+Tokens slice(const Tokens& tokens, std::size_t first, std::size_t last);
+
+// Puts `value`, in parentheses, in the place of every free `name`.
+void substitute(Tokens& tokens, std::string_view name, const Tokens& value);
+
 // The index of the bracket that closes the one at `open`; tokens.size() where there is none.
 std::size_t closing(const Tokens& tokens, std::size_t open);
 

@@ -127,6 +127,9 @@ Definition definition_of(const Statement& statement, Dialect dialect) {
     const Tokens& head = statement.head;
     if (head.empty() || statement.is_line()) return {};
     if (statement.starts_with("struct")) return {DefinitionKind::structure, head[1].text};
+    if (const std::size_t name = find_token(head, "struct") + 1;
+        statement.starts_with("template") && name < head.size())
+        return {DefinitionKind::structure, head[name].text};
     if (statement.has_block && std::ranges::none_of(kRecords, [&](std::string_view word) {
             return statement.starts_with(word);
         })) {
@@ -138,7 +141,8 @@ Definition definition_of(const Statement& statement, Dialect dialect) {
     const bool constant = statement.starts_with("const") || statement.starts_with("constant") ||
                           (statement.starts_with("static") && head[1].is("const"));
     if (!constant) return {DefinitionKind::variable, {}};
-    const std::size_t name = dialect == Dialect::wgsl ? 1 : equals - 1;
+    std::size_t name = dialect == Dialect::wgsl ? 1 : equals - 1;
+    while (name > 1 && head[name].kind != TokenKind::identifier) name -= head[name].is("]") ? 3 : 1;
     return {DefinitionKind::constant, head[name].text};
 }
 

@@ -23,8 +23,8 @@ void merge_choices(Statement& function);
 // Moves each `var` to where its variable is first set, as `let` where it is never set again.
 void place_variables(Statement& function);
 
-// Writes `loop` with a condition and a `continuing` as `for`.
-void restore_for(Statement& function);
+// Writes `loop` with a condition as `while`, with a `continuing` besides as `for`.
+void restore_loops(Statement& function);
 
 // `x = x + y` as `x += y`.
 void restore_compound_assignments(Statement& function);

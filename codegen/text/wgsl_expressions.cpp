@@ -101,7 +101,15 @@ class SwizzleRestorer {
     // bitcast<u32>(x): what converts an integer is `u32(x)`, and `8u` is one already.
     void conversion(Tokens& tokens, std::size_t at) const {
         const std::size_t open = at + 4;
-        if (closing(tokens, open) != open + 2) return;
+        const std::size_t close = closing(tokens, open);
+        if (tokens[open + 1].is("u32") && closing(tokens, open + 2) + 1 == close) {
+            const auto begin = tokens.begin() + static_cast<std::ptrdiff_t>(at);
+            tokens[open + 1].space = tokens[at].space;
+            tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(close));
+            tokens.erase(begin, begin + 5);
+            return;
+        }
+        if (close != open + 2) return;
         const Token& value = tokens[open + 1];
         const auto first = tokens.begin() + static_cast<std::ptrdiff_t>(at);
         if (value.kind == TokenKind::number && value.text.find('.') == std::string::npos) {

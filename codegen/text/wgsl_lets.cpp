@@ -55,19 +55,6 @@ bool interferes(const Statement& statement, const Reads& reads, const ModuleVari
            (reads.module && std::ranges::any_of(variables, written));
 }
 
-void substitute(Tokens& tokens, const std::string& name, const Tokens& value) {
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        if (!tokens[i].is(name) || !is_free_name(tokens, i)) continue;
-        Tokens group = value;
-        group.front().space = false;
-        group.insert(group.begin(), Token{.text = "(", .space = tokens[i].space});
-        group.push_back(Token{.text = ")"});
-        const auto at = tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i));
-        tokens.insert(at, group.begin(), group.end());
-        i += group.size() - 1;
-    }
-}
-
 // Inlines the `let` at `index` where that is safe: all its uses in heads of later statements of the
 // same list, before anything that it reads is written; once only, unless it is a mere load.
 bool inline_let(Statements& list, std::size_t index, const Statement& function,

@@ -73,18 +73,29 @@ bool has_continue(const Statements& statements) {
     });
 }
 
+// loop { if c { ...; continue; } else { break; } ... }
+bool starts_with_test(const Statement& loop) {
+    if (!loop.starts_with("loop") || loop.body.size() < 2) return false;
+    const Statement& test = loop.body[0];
+    const Statement& otherwise = loop.body[1];
+    return test.starts_with("if") && !test.body.empty() && is_word(test.body.back(), "continue") &&
+           otherwise.starts_with("else") && otherwise.body.size() == 1 &&
+           is_word(otherwise.body[0], "break");
+}
+
+Statement while_loop(const Statement& loop) {
+    Statement result = loop.body[0];
+    result.head.front().text = "while";
+    result.body.pop_back();
+    return result;
+}
+
 // loop { if c { ...; continue; } else { break; } continuing { ...; update; } }, where only one of
 // the two parts before the update has statements that could meet a `continue`.
 bool has_for_shape(const Statement& loop) {
-    if (!loop.starts_with("loop") || loop.body.size() != 3) return false;
+    if (!starts_with_test(loop) || loop.body.size() != 3) return false;
     const Statement& test = loop.body[0];
-    const Statement& otherwise = loop.body[1];
     const Statement& continuing = loop.body[2];
-    if (!test.starts_with("if") || test.body.empty() || !is_word(test.body.back(), "continue"))
-        return false;
-    if (!otherwise.starts_with("else") || otherwise.body.size() != 1 ||
-        !is_word(otherwise.body[0], "break"))
-        return false;
     if (!continuing.starts_with("continuing") || continuing.body.empty()) return false;
     const Statement& update = continuing.body.back();
     const Statements body{test.body.begin(), test.body.end() - 1};
@@ -134,9 +145,11 @@ void place_variables(Statement& function) {
     }
 }
 
-void restore_for(Statement& function) {
+void restore_loops(Statement& function) {
     for_each_list(function.body, [](Statements& list) {
         for (std::size_t i = 0; i < list.size(); ++i) {
+            if (starts_with_test(list[i]) && list[i].body.size() == 2)
+                list[i] = while_loop(list[i]);
             if (!has_for_shape(list[i])) continue;
             Tokens start;
             const bool declared = i > 0 && list[i - 1].starts_with("var") &&

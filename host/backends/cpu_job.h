@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "core/error.h"
 
 namespace lacquer {
 
@@ -50,29 +51,38 @@ void run_query(Kernel kernel, const Surface& surface, const KernelParameters& pa
         case Kernel::copy:
             results[0] = glm::dvec4{glm::vec<4, Real>{inputs[0]} + glm::vec<4, Real>{inputs[1]}};
             break;
+        case Kernel::walk:
+            throw Error{"kernel 'walk': no model has it; the simulator is its judge"};
     }
 }
 
-// Runs a whole job with the surfaces that `prepare(material)` makes, on all cores.
+// Runs `run_one(query, inputs, results)` for every query of a job, on all cores.
+template <typename RunOne>
+JobResult run_queries(const Job& job, const RunOne& run_one) {
+    const KernelShape shape = kernel_shape(job.kernel);
+    JobResult result;
+    result.rows.resize(job.query_count() * shape.result_rows);
+    const auto start = std::chrono::steady_clock::now();
+    tbb::parallel_for(std::uint64_t{0}, job.query_count(), [&](std::uint64_t query) {
+        run_one(query, &job.inputs[query * shape.input_rows],
+                &result.rows[query * shape.result_rows]);
+    });
+    result.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+// Runs a whole job with the surfaces that `prepare(material)` makes.
 template <typename Real, typename Prepare>
 JobResult run_on_cpu(const Job& job, const Prepare& prepare) {
     check_job(job);
     std::vector<decltype(prepare(job.materials[0]))> surfaces;
     surfaces.reserve(job.materials.size());
     for (const Material& material : job.materials) surfaces.push_back(prepare(material));
-
-    const KernelShape shape = kernel_shape(job.kernel);
-    JobResult result;
-    result.rows.resize(job.query_count() * shape.result_rows);
-    const auto start = std::chrono::steady_clock::now();
-    tbb::parallel_for(std::uint64_t{0}, job.query_count(), [&](std::uint64_t query) {
+    return run_queries(job, [&](std::uint64_t query, const glm::vec4* inputs, glm::dvec4* results) {
         run_query<Real>(job.kernel, surfaces[query / job.queries_per_material], job.parameters,
-                        &job.inputs[query * shape.input_rows],
-                        &result.rows[query * shape.result_rows]);
+                        inputs, results);
     });
-    result.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return result;
 }
 
 }  // namespace lacquer

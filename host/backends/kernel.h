@@ -13,6 +13,8 @@ enum class Kernel {
     sample,  // wo, u -> (wi, pdf), (weight, 0)
     albedo,  // wo, with parameters.point_count -> (direct, 0), (base, 0)
     copy,    // two rows -> one; moves the bytes of eval and computes nothing
+    walk,    // an interface and a stream of random numbers, with parameters.point_count -> energies,
+             // squares, spread: see shader_src/kernels/walk.comp; shades no material
 };
 
 struct KernelShape {
@@ -35,6 +37,8 @@ constexpr KernelShape kernel_shape(Kernel kernel) {
             return {"albedo", 1, 2};
         case Kernel::copy:
             return {"copy", 2, 1};
+        case Kernel::walk:
+            return {"walk", 2, 3};
     }
     return {"", 0, 0};
 }

@@ -1,9 +1,15 @@
 #include "check.h"
 
+#include <fmt/format.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 
 #include <sstream>
+
+#include "codegen/emit.h"
+#include "codegen/naga.h"
+#include "core/file.h"
+#include "support/temporary_folder.h"
 
 namespace lacquer::test {
 
@@ -49,6 +55,24 @@ const codegen::Package& everything() {
     return package;
 }
 
+codegen::Package with_constructs() {
+    const TemporaryFolder folder;
+    const std::filesystem::path root = folder / "source";
+    std::filesystem::copy(SHADER_SOURCE, root, std::filesystem::copy_options::recursive);
+    const std::filesystem::path tests = TEST_SOURCE;
+    std::filesystem::copy_file(tests / "constructs.comp", root / "kernels" / "constructs.comp");
+    std::filesystem::copy_file(tests / "constructs.glsl", root / "plain" / "constructs.glsl");
+    // The level includes them, so that its library has them too.
+    const std::filesystem::path level = root / "plain" / "plain.glsl";
+    const std::string include = "#include \"surface.glsl\"\n";
+    std::string text = read_file(level);
+    text.insert(text.find(include), "#include \"constructs.glsl\"\n");
+    write_file(level, text);
+    codegen::Request request;
+    request.source_root = root;
+    return codegen::generate(request);
+}
+
 std::vector<codegen::ShaderFile> files_of(codegen::Target target) {
     std::vector<codegen::ShaderFile> files;
     for (const codegen::ShaderFile& file : everything().files)
@@ -75,6 +99,40 @@ std::string glsl_complaint(const std::string& text, std::string_view stage) {
 
 std::string hlsl_complaint(const std::string& text, std::string_view stage) {
     return complaint(text, stage, true);
+}
+
+std::string as_shader(const codegen::ShaderFile& file) {
+    if (file.form == codegen::Form::kernel) return file.contents;
+    constexpr std::string_view kPrecision = "precision highp float;\nprecision highp int;\n";
+    const std::string main = "void main() {\n}\n";
+    switch (file.target) {
+        case codegen::Target::glsl450:
+            return fmt::format("#version 450\n{}{}", file.contents, main);
+        case codegen::Target::essl310:
+            return fmt::format("#version 310 es\n{}{}{}", kPrecision, file.contents, main);
+        case codegen::Target::essl300:
+            return fmt::format("#version 300 es\n{}{}{}", kPrecision, file.contents, main);
+        case codegen::Target::wgsl:
+            return file.contents;
+        default:
+            return file.contents + main;
+    }
+}
+
+std::string complaint(const codegen::ShaderFile& file) {
+    const std::string text = as_shader(file);
+    const std::string stage = file.entry_points.empty() ? "fragment" : file.entry_points[0].stage;
+    switch (codegen::dialect_of(file.target)) {
+        case codegen::text::Dialect::hlsl:
+            return hlsl_complaint(text, stage);
+        case codegen::text::Dialect::glsl:
+            return glsl_complaint(text, stage);
+        case codegen::text::Dialect::wgsl:
+            return codegen::translate_from_wgsl({&text, 1}).at(0).complaint;
+        case codegen::text::Dialect::msl:
+            break;
+    }
+    return "no compiler";
 }
 
 std::string without_comments(const std::string& text) {

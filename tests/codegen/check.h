@@ -16,6 +16,9 @@ const codegen::Package& everything();
 std::vector<codegen::ShaderFile> files_of(codegen::Target target);
 std::vector<codegen::ShaderFile> files_of(codegen::Target target, codegen::Form form);
 
+// The project's shader source with the files of tests/codegen/source: kernel `constructs`.
+codegen::Package with_constructs();
+
 // Every target whose files are text.
 std::vector<codegen::Target> text_targets();
 
@@ -25,6 +28,12 @@ std::string glsl_complaint(const std::string& text, std::string_view stage);
 
 // The same of its HLSL front end; the entry point is `main`.
 std::string hlsl_complaint(const std::string& text, std::string_view stage);
+
+// What makes `file` a shader of its own: functions get an empty main around them.
+std::string as_shader(const codegen::ShaderFile& file);
+
+// What is said against a text file of any language but MSL; empty where it compiles.
+std::string complaint(const codegen::ShaderFile& file);
 
 // The code of a text without its comments.
 std::string without_comments(const std::string& text);

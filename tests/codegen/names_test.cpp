@@ -78,17 +78,22 @@ TEST_P(Names, MembersOfStructsKeepTheirNames) {
     }
 }
 
+std::vector<std::string> leftovers(const std::string& text) {
+    static const std::regex kLeftover{
+        R"(\b(_\d+|_e\d+|param(_\d+)?|indexable(_\d+)?|lq_selected\w*|local(_\d+)?|phi_\d+_|unnamed\w*|[A-Za-z]\w*_\d+)\b)"};
+    const std::string code = without_comments(text);
+    std::vector<std::string> found;
+    for (std::sregex_iterator match{code.begin(), code.end(), kLeftover}, end; match != end;
+         ++match)
+        found.push_back(match->str());
+    return found;
+}
+
 // What translators call things that have no name in the source. None is left today; a new
 // construct in the shader source that leaves some is better rewritten there.
 TEST_P(Names, NothingIsNamedByTheTranslator) {
-    static const std::regex kLeftover{
-        R"(\b(_\d+|_e\d+|param(_\d+)?|indexable(_\d+)?|lq_selected\w*|local(_\d+)?|phi_\d+_|unnamed\w*|[A-Za-z]\w*_\d+)\b)"};
-    for (const ShaderFile& file : files_of(GetParam())) {
-        const std::string code = without_comments(file.contents);
-        for (std::sregex_iterator match{code.begin(), code.end(), kLeftover}, end; match != end;
-             ++match)
-            ADD_FAILURE() << file.path << ": " << match->str();
-    }
+    for (const ShaderFile& file : files_of(GetParam()))
+        EXPECT_THAT(leftovers(file.contents), testing::IsEmpty()) << file.path;
 }
 
 // A name that is a word of some language is changed there: better not used in the source.
@@ -139,6 +144,13 @@ TEST_P(Names, LibrariesBindNothing) {
         EXPECT_TRUE(file.entry_points.empty());
         EXPECT_TRUE(file.bindings.empty());
     }
+}
+
+TEST(ConstructNames, NothingIsNamedByTheTranslator) {
+    for (const ShaderFile& file : with_constructs().files)
+        if (file.target != Target::spirv && file.kernel == "constructs") {
+            EXPECT_THAT(leftovers(file.contents), testing::IsEmpty()) << file.contents;
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(, Names, testing::ValuesIn(text_targets()), [](const auto& tested) {

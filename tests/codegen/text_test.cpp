@@ -121,6 +121,13 @@ TEST(Text, ComponentsAreJoined) {
                 testing::HasSubstr("vec3(u.y, u.z, 1.0)"));
 }
 
+TEST(Text, NamelessConstantsAreInlined) {
+    EXPECT_THAT(tidied("float f(float x) { float _3 = 2.0 * LQ_PI; return x * _3; }"),
+                testing::HasSubstr("    return x * (2.0 * LQ_PI);\n"));
+    EXPECT_THAT(tidied("float f(float x) { float _3 = g(x); x = 1.0; return x * _3; }"),
+                testing::HasSubstr("float values = g(x);"));
+}
+
 TEST(Text, ElseIfIsJoined) {
     EXPECT_EQ(tidied("void f() { if (a) { g(); } else { if (b) { h(); } else { i(); } } }"),
               "void f() {\n    if (a) {\n        g();\n    } else if (b) {\n        h();\n"

@@ -106,8 +106,7 @@ float lq_sine_from_cosine(float x) {
 // exact in binary, so that the error does not grow with the angle.
 vec2 lq_cos_sin_turn(float turn) {
     float quarter = floor(4.0 * turn + 0.5);
-    float float_b = 2.0 * LQ_PI;
-    float angle = (turn - 0.25 * quarter) * float_b;
+    float angle = (turn - 0.25 * quarter) * (2.0 * LQ_PI);
     float s = angle * angle;
     float cosine = 1.0 + s *
         (-0.5 + s * (0.041666668 + s * (-0.0013888889 + s * (2.4801588e-5 - s * 2.755732e-7))));
@@ -255,8 +254,7 @@ float lq_beckmann_density(vec3 wm, float alpha_x, float alpha_y) {
     float x = wm.x / alpha_x;
     float y = wm.y / alpha_y;
     float slope_squared = x * x + y * y;
-    float float_b = -LQ_MIN_EXPONENT;
-    if (slope_squared >= float_b * cos_squared) {
+    if (slope_squared >= -LQ_MIN_EXPONENT * cos_squared) {
         return 0.0;
     }
     return exp(-slope_squared / cos_squared) /
@@ -270,8 +268,7 @@ float lq_beckmann_projected_lambda(vec3 w, float alpha_x, float alpha_y) {
     float x = alpha_x * w.x;
     float y = alpha_y * w.y;
     float slope = sqrt(x * x + y * y);
-    float float_b = -LQ_MIN_EXPONENT;
-    if (lq_square(w.z) >= float_b * slope * slope) {
+    if (lq_square(w.z) >= -LQ_MIN_EXPONENT * slope * slope) {
         return 0.0;
     }
     float a = w.z / slope;
@@ -332,12 +329,10 @@ float lq_erf_inverse(float y) {
 // growing by (cos_theta - s sin_theta) exp(-s^2) / sqrt(pi). Solves G(s) = u G(last slope) by
 // Newton's method, kept inside a shrinking bracket.
 float lq_beckmann_sample_visible_slope(float sin_theta, float cos_theta, float u) {
-    float float_b = -LQ_BECKMANN_MAX_SLOPE;
-    float low = float_b;
+    float low = -LQ_BECKMANN_MAX_SLOPE;
     float high = cos_theta < LQ_BECKMANN_MAX_SLOPE * sin_theta ? cos_theta / sin_theta
         : LQ_BECKMANN_MAX_SLOPE;
-    float float_c = 0.5 * LQ_INVERSE_SQRT_PI;
-    float half_inverse_sqrt_pi = float_c;
+    float half_inverse_sqrt_pi = 0.5 * LQ_INVERSE_SQRT_PI;
     float total = cos_theta * lq_half_erfc(-high) +
         sin_theta * exp(-high * high) * half_inverse_sqrt_pi;
     float wanted = u * total;
@@ -625,8 +620,8 @@ float lq_plain_coat_choice(LqPlainSurface surface, vec3 wo) {
     if (surface.base == LQ_BASE_CONDUCTOR) {
         base = lq_average(lq_fresnel_conductor_rgb(wo.z, surface.eta, surface.kappa));
     }
-    float float_b = 1.0 - LQ_PLAIN_MIN_CHOICE;
-    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_PLAIN_MIN_CHOICE, float_b);
+    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_PLAIN_MIN_CHOICE,
+        1.0 - LQ_PLAIN_MIN_CHOICE);
 }
 
 // Density per solid angle with which `lq_plain_sample` chooses wi; 0 unless both directions are

@@ -85,7 +85,7 @@ layout(binding = 3, std430) buffer LqResults {
 } results;
 
 vec3 lq_input_vector(uint row) {
-    return vec3(inputs.rows[row].x, inputs.rows[row].y, inputs.rows[row].z);
+    return inputs.rows[row].xyz;
 }
 
 // Whether `w` is a direction above the surface. False too for vectors far from unit length, whose
@@ -192,8 +192,7 @@ float lq_beckmann_density(vec3 wm, float alpha_x, float alpha_y) {
     float x = wm.x / alpha_x;
     float y = wm.y / alpha_y;
     float slope_squared = x * x + y * y;
-    float float_b = -LQ_MIN_EXPONENT;
-    if (slope_squared >= float_b * cos_squared) {
+    if (slope_squared >= -LQ_MIN_EXPONENT * cos_squared) {
         return 0.0;
     }
     return exp(-slope_squared / cos_squared) /
@@ -207,8 +206,7 @@ float lq_beckmann_projected_lambda(vec3 w, float alpha_x, float alpha_y) {
     float x = alpha_x * w.x;
     float y = alpha_y * w.y;
     float slope = sqrt(x * x + y * y);
-    float float_b = -LQ_MIN_EXPONENT;
-    if (lq_square(w.z) >= float_b * slope * slope) {
+    if (lq_square(w.z) >= -LQ_MIN_EXPONENT * slope * slope) {
         return 0.0;
     }
     float a = w.z / slope;
@@ -353,8 +351,8 @@ float lq_plain_coat_choice(LqPlainSurface surface, vec3 wo) {
     if (surface.base == LQ_BASE_CONDUCTOR) {
         base = lq_average(lq_fresnel_conductor_rgb(wo.z, surface.eta, surface.kappa));
     }
-    float float_b = 1.0 - LQ_PLAIN_MIN_CHOICE;
-    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_PLAIN_MIN_CHOICE, float_b);
+    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_PLAIN_MIN_CHOICE,
+        1.0 - LQ_PLAIN_MIN_CHOICE);
 }
 
 // Density per solid angle with which `lq_plain_sample` chooses wi; 0 unless both directions are

@@ -85,7 +85,7 @@ layout(binding = 3, std430) buffer LqResults {
 } results;
 
 vec3 lq_input_vector(uint row) {
-    return vec3(inputs.rows[row].x, inputs.rows[row].y, inputs.rows[row].z);
+    return inputs.rows[row].xyz;
 }
 
 // Whether `w` is a direction above the surface. False too for vectors far from unit length, whose

@@ -86,8 +86,7 @@ struct LqResults {
 };
 
 static inline float3 lq_input_vector(uint row, const device LqInputs& inputs) {
-    return float3(((device float*)&inputs.rows[row])[0u], ((device float*)&inputs.rows[row])[1u],
-        ((device float*)&inputs.rows[row])[2u]);
+    return inputs.rows[row].xyz;
 }
 
 // Whether `w` is a direction above the surface. False too for vectors far from unit length, whose

@@ -87,7 +87,7 @@ struct LqResults {
 @group(0) @binding(3) var<storage, read_write> results: LqResults;
 
 fn lq_input_vector(row: u32) -> vec3f {
-    return vec3f(inputs.rows[row].x, inputs.rows[row].y, inputs.rows[row].z);
+    return inputs.rows[row].xyz;
 }
 
 // Whether `w` is a direction above the surface. False too for vectors far from unit length, whose
