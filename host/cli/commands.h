@@ -9,11 +9,13 @@ class App;
 namespace lacquer {
 
 void add_albedo_command(CLI::App& app);
+void add_bake_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_doctor_command(CLI::App& app);
 void add_eval_command(CLI::App& app);
 void add_export_command(CLI::App& app);
+void add_interface_command(CLI::App& app);
 void add_slice_command(CLI::App& app);
 void add_sphere_command(CLI::App& app);
 void add_view_command(CLI::App& app);

@@ -20,9 +20,11 @@ void add_commands(CLI::App& app) {
     lacquer::add_bench_command(app);
     lacquer::add_eval_command(app);
     lacquer::add_albedo_command(app);
+    lacquer::add_interface_command(app);
     lacquer::add_slice_command(app);
     lacquer::add_sphere_command(app);
     lacquer::add_export_command(app);
+    lacquer::add_bake_command(app);
 #ifdef LACQUER_HAS_VIEWER
     lacquer::add_view_command(app);
 #endif
