@@ -40,7 +40,7 @@ inline constexpr std::string_view kAccuracyEnd = "<!-- end of accuracy -->";
 std::string with_accuracy(const std::string& readme, const std::string& text);
 
 // A page, complete in itself, with plots of the statistics: de Dinechin and Belcour 2022, figures 3
-// and 5.
+// and 5; Belcour 2018, figures 3 to 6 and 21.
 std::string report_page(const EnergyTables& tables, const BakeRecord& record);
 
 }  // namespace lacquer::bake

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "bake/lobe_plots.h"
 #include "bake/plot.h"
 #include "bake/report.h"
 
@@ -139,6 +140,7 @@ std::string report_page(const EnergyTables& tables, const BakeRecord& record) {
     html += "<h2>Diffuse light inside, and its spread (figure 3 b, d)</h2>" + diffuse_plots(tables);
     html += "<h2>Light through the base (figure 3 c)</h2>" + base_plots(tables);
     html += "<h2>Compression (figure 5)</h2>" + compression_plots(tables);
+    html += "<h2>Lobes of rough surfaces (2018, figures 3 to 6 and 21)</h2>" + lobe_plots();
     return html + "</html>\n";
 }
 
