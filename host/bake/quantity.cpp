@@ -33,12 +33,17 @@ Axis alpha_axis(std::size_t size) {
 }
 
 Axis eta_axis(Contrast contrast, std::size_t size) {
-    return {"eta", Mapping::log_square, size, 1.0, contrast == Contrast::thin ? 1.0 / 3.0 : 3.0,
-            "1"};
+    // Between equal media there is no interface, and everything jumps at grazing angles: the first
+    // node is the limit.
+    constexpr double kNearOne = 1e-4;
+    if (contrast == Contrast::thin)
+        return {"eta", Mapping::log_bent, size, 1.0 - kNearOne, 1.0 / 3.0, "1"};
+    return {"eta", Mapping::log_bent, size, 1.0 + kNearOne, 3.0, "1"};
 }
 
 Axis tau_axis() {
-    return {"tau", Mapping::linear, 65, 0.0, 1.0, "1"};
+    // Dense near 1, from where the light that leaves along the surface soon goes out.
+    return {"tau", Mapping::squared, 33, 1.0, 0.0, "1"};
 }
 
 Axis profile_axis(std::size_t size) {

@@ -7,15 +7,11 @@ namespace lacquer::bake {
 
 namespace {
 
-constexpr std::size_t kAlphas = 16, kEtas = 16, kTerms = 4;
+constexpr std::size_t kAlphas = 24, kEtas = 16, kTerms = 4;
 
 void simulate_node(const Parameters& node, const SobolPoints& points, std::uint64_t seed,
                    std::span<float> values) {
-    // An interface between equal media reflects nothing; the limit of the ratio is what counts.
-    constexpr double kNearOne = 2e-4;
-    double eta = node[1];
-    if (eta == 1.0) eta = 1.0 + kNearOne;
-    const CosineHistogram reflected = light_leaving(node[0], eta, points, seed).reflected;
+    const CosineHistogram reflected = light_leaving(node[0], node[1], points, seed).reflected;
     const Axis taus = tau_axis();
     const double clear = reflected.transmitted(1.0);
     for (std::size_t t = 0; t < taus.size; ++t) {
@@ -23,7 +19,6 @@ void simulate_node(const Parameters& node, const SobolPoints& points, std::uint6
         const double dimmed = reflected.transmitted(axis_value(taus, t), 2.0);
         values[t] = static_cast<float>(clear > 0.0 ? dimmed / clear - 1.0 : 0.0);
     }
-    values[taus.size - 1] = 0.0f;
 }
 
 void append_arrays(const std::string& prefix, Contrast contrast, const DenseValues& dense,

@@ -1,6 +1,6 @@
 // T01 over (cos_theta, alpha, eta, tau): its dense bake and its compression.
 // Based on: de Dinechin and Belcour 2022, section 4. Differs: the cosine axis follows the critical
-// angle, and one joint rank over (alpha, eta) replaces the order cos-alpha, eta, tau.
+// angle, and of the products of basis functions only those that carry energy are kept.
 #include "bake/dielectric.h"
 #include "bake/low_rank.h"
 
@@ -8,7 +8,15 @@ namespace lacquer::bake {
 
 namespace {
 
-constexpr std::size_t kAlphas = 16, kEtas = 24, kCosines = 49;
+constexpr std::size_t kCosines = 49;
+
+// The critical angle moves with eta, which takes more nodes.
+Axis t_down_alphas() {
+    return alpha_axis(16);
+}
+Axis t_down_etas(Contrast contrast) {
+    return eta_axis(contrast, contrast == Contrast::thin ? 28 : 16);
+}
 
 // Histogram nodes (rows) to transmittances of media (columns).
 const Matrix& absorption_of_nodes() {
@@ -54,50 +62,72 @@ Eigen::VectorXd cosine_weights(Contrast contrast) {
     return weights;
 }
 
-std::vector<TableArray> compress(Contrast contrast, const DenseValues& dense) {
-    const Axis alphas = alpha_axis(kAlphas), etas = eta_axis(contrast, kEtas), taus = tau_axis();
-    const Eigen::VectorXd by_alpha = node_weights(kAlphas), by_eta = node_weights(kEtas);
-    const Eigen::VectorXd by_cosine = cosine_weights(contrast);
-    const auto nodes = static_cast<Eigen::Index>(kAlphas * kEtas);
-    const auto cosines = static_cast<Eigen::Index>(kCosines);
-    const auto etas_count = static_cast<Eigen::Index>(kEtas);
+// What the errors at each node count for.
+struct NodeWeights {
+    Eigen::VectorXd by_node, by_cosine;  // by_node: over (alpha, eta)
+    Eigen::VectorXd by_tau;
+};
 
-    // Rows (alpha, eta, s), columns tau.
-    Matrix values = to_matrix(dense, taus.size);
-    for (Eigen::Index row = 0; row < values.rows(); ++row) {
-        const Eigen::Index node = row / cosines;
-        values.row(row) *=
-            by_alpha[node / etas_count] * by_eta[node % etas_count] * by_cosine[row % cosines];
-    }
-    const Matrix absorption = principal_rows(values, kAbsorptions);
-    const Matrix by_absorption = values * absorption.transpose();
+NodeWeights weights_of(Contrast contrast) {
+    const Matrix nodes =
+        node_weights(t_down_alphas().size) * node_weights(t_down_etas(contrast).size).transpose();
+    NodeWeights weights{Eigen::Map<const Eigen::VectorXd>(nodes.data(), nodes.size()),
+                        cosine_weights(contrast), node_weights(tau_axis().size)};
+    // Clear media are the rule, and every other energy of an interface derives from them.
+    constexpr double kClear = 2.0;
+    weights.by_tau[0] *= kClear;
+    return weights;
+}
 
-    // The same numbers with rows (alpha, eta, k), columns s.
-    const auto absorptions = static_cast<Eigen::Index>(kAbsorptions);
-    Matrix along_cosine(nodes * absorptions, cosines);
+// Rows (alpha, eta, s), columns tau.
+Matrix weighted_values(const DenseValues& dense, const NodeWeights& weights) {
+    Matrix values = to_matrix(dense, static_cast<std::size_t>(weights.by_tau.size()));
+    const Eigen::Index cosines = weights.by_cosine.size();
+    for (Eigen::Index row = 0; row < values.rows(); ++row)
+        values.row(row) *= weights.by_node[row / cosines] * weights.by_cosine[row % cosines];
+    return values * weights.by_tau.asDiagonal();
+}
+
+// From rows (alpha, eta, s) and columns k to rows (alpha, eta, k) and columns s.
+Matrix along_cosine(const Matrix& by_absorption, Eigen::Index cosines) {
+    const Eigen::Index nodes = by_absorption.rows() / cosines, count = by_absorption.cols();
+    Matrix result(nodes * count, cosines);
     for (Eigen::Index node = 0; node < nodes; ++node)
-        along_cosine.middleRows(node * absorptions, absorptions) =
+        result.middleRows(node * count, count) =
             by_absorption.middleRows(node * cosines, cosines).transpose();
-    Matrix profile = principal_rows(along_cosine, kProfiles);
-    const Matrix coefficients = along_cosine * profile.transpose();
+    return result;
+}
 
-    // Rows (alpha, eta), columns (k, m).
-    const Matrix products = Eigen::Map<const Matrix>(
-        coefficients.data(), nodes, static_cast<Eigen::Index>(kAbsorptions * kProfiles));
-    const Matrix core = principal_rows(products, kRanks);
-    Matrix maps = products * core.transpose();
-    for (Eigen::Index node = 0; node < nodes; ++node)
-        maps.row(node) /= by_alpha[node / etas_count] * by_eta[node % etas_count];
-    profile.array().rowwise() /= by_cosine.transpose().array();
+// The kept coefficients of every node, from rows (alpha, eta, k) and columns m.
+Matrix kept_products(const Matrix& coefficients, const Eigen::VectorXd& by_node) {
+    Matrix maps(by_node.size(), static_cast<Eigen::Index>(kProducts));
+    for (Eigen::Index node = 0; node < maps.rows(); ++node) {
+        Eigen::Index column = 0;
+        for (std::size_t k = 0; k < kAbsorptions; ++k)
+            for (std::size_t m = 0; m < kProfilesOf[k]; ++m)
+                maps(node, column++) = coefficients(node * static_cast<Eigen::Index>(kAbsorptions) +
+                                                        static_cast<Eigen::Index>(k),
+                                                    static_cast<Eigen::Index>(m)) /
+                                       by_node[node];
+    }
+    return maps;
+}
 
-    return {make_array("maps", {alphas, etas, channel_axis("rank", kRanks)}, maps),
-            make_array(
-                "core",
-                {channel_axis("rank", kRanks), channel_axis("product", kAbsorptions * kProfiles)},
-                core),
+std::vector<TableArray> compress(Contrast contrast, const DenseValues& dense) {
+    const NodeWeights weights = weights_of(contrast);
+    const Matrix values = weighted_values(dense, weights);
+    Matrix absorption = principal_rows(values, kAbsorptions);
+    const Matrix rows = along_cosine(values * absorption.transpose(), weights.by_cosine.size());
+    Matrix profile = principal_rows(rows, kProfiles);
+    const Matrix maps = kept_products(rows * profile.transpose(), weights.by_node);
+    absorption.array().rowwise() /= weights.by_tau.transpose().array();
+    profile.array().rowwise() /= weights.by_cosine.transpose().array();
+    return {make_array("maps",
+                       {t_down_alphas(), t_down_etas(contrast), channel_axis("product", kProducts)},
+                       maps),
             make_array("profile", {profile_axis(kCosines), channel_axis("profile", kProfiles)},
                        profile.transpose()),
-            make_array("absorption", {taus, channel_axis("absorption", kAbsorptions)},
+            make_array("absorption", {tau_axis(), channel_axis("absorption", kAbsorptions)},
                        absorption.transpose())};
 }
 
@@ -105,18 +135,17 @@ std::vector<TableArray> compress(Contrast contrast, const DenseValues& dense) {
 
 TableBake bake_of_t_down(Contrast contrast) {
     const bool thin = contrast == Contrast::thin;
-    Quantity quantity{
-        thin ? "t_down_thin" : "t_down_dense",
-        {alpha_axis(kAlphas), eta_axis(contrast, kEtas), profile_axis(kCosines), tau_axis()},
-        2,
-        [contrast](const Parameters& node, const SobolPoints& points, std::uint64_t seed,
-                   std::span<float> values) {
-            simulate_node(contrast, node, points, seed, values);
-        },
-        [contrast](const EnergyTables& tables, const Parameters& p) {
-            const double cosine = profile_cosine(p[2], contrast, p[1]);
-            return tables.t_down(cosine, p[0], p[1], p[3]);
-        }};
+    Quantity quantity{thin ? "t_down_thin" : "t_down_dense",
+                      {t_down_alphas(), t_down_etas(contrast), profile_axis(kCosines), tau_axis()},
+                      2,
+                      [contrast](const Parameters& node, const SobolPoints& points,
+                                 std::uint64_t seed, std::span<float> values) {
+                          simulate_node(contrast, node, points, seed, values);
+                      },
+                      [contrast](const EnergyTables& tables, const Parameters& p) {
+                          const double cosine = profile_cosine(p[2], contrast, p[1]);
+                          return tables.t_down(cosine, p[0], p[1], p[3]);
+                      }};
     return {quantity.name,
             thin ? "T01 for eta <= 1: light entering and crossing the medium"
                  : "T01 for eta >= 1: light entering and crossing the medium",

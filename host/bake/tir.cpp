@@ -7,7 +7,7 @@ namespace lacquer::bake {
 
 namespace {
 
-constexpr std::size_t kAlphas = 16, kEtas = 16, kCosines = 33, kTerms = 8;
+constexpr std::size_t kAlphas = 20, kEtas = 20, kCosines = 49, kTerms = 10;
 
 void simulate_node(Contrast contrast, const Parameters& node, const SobolPoints& points,
                    std::uint64_t seed, std::span<float> values) {

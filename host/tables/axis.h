@@ -12,7 +12,7 @@ enum class Mapping {
     index,       // counts channels; not a parameter
     linear,      // from + (to - from) t
     squared,     // from + (to - from) t^2: dense near `from`
-    log_square,  // from * (to / from)^(t^2): dense near `from`
+    log_bent,    // from * (to / from)^(t (t + 0.02) / 1.02): dense near `from`, a finite slope there
 };
 
 std::string_view mapping_name(Mapping mapping);

@@ -176,7 +176,7 @@ class Reader {
         axis.from = json.at("from").get<double>();
         axis.to = json.at("to").get<double>();
         axis.unit = json.at("unit").get<std::string>();
-        const bool logarithmic = axis.mapping == Mapping::log_square;
+        const bool logarithmic = axis.mapping == Mapping::log_bent;
         if (axis.from == axis.to || (logarithmic && !(axis.from > 0.0 && axis.to > 0.0)))
             fail(fmt::format("axis '{}' of array '{}' runs from {} to {}", axis.name, array,
                              axis.from, axis.to));
@@ -185,7 +185,7 @@ class Reader {
 
     Mapping mapping_named(const std::string& name) const {
         for (const Mapping mapping :
-             {Mapping::index, Mapping::linear, Mapping::squared, Mapping::log_square})
+             {Mapping::index, Mapping::linear, Mapping::squared, Mapping::log_bent})
             if (mapping_name(mapping) == name) return mapping;
         fail(fmt::format("mapping '{}' is not known", name));
     }

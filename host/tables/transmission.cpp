@@ -112,11 +112,9 @@ double TransmissionProfile::variance() const {
 
 TransmissionTable::TransmissionTable(const Table& table, Contrast contrast)
     : maps_{table.array("maps")},
-      core_{table.array("core")},
       profile_{table.array("profile")},
       absorption_{table.array("absorption")} {
-    require_shape(table, maps_, {"alpha", "eta"}, kRanks);
-    require_shape(table, core_, {"rank"}, kAbsorptions * kProfiles);
+    require_shape(table, maps_, {"alpha", "eta"}, kProducts);
     require_shape(table, profile_, {"s"}, kProfiles);
     require_shape(table, absorption_, {"tau"}, kAbsorptions);
     moments_ = integrate_profiles(profile_, contrast);
@@ -128,11 +126,9 @@ TransmissionProfile TransmissionTable::profile(double alpha, double eta, double 
     const std::vector<double> absorption =
         interpolate(absorption_, std::array{axis_position(absorption_.axes[0], tau)});
     std::array<double, kProfiles> weights{};
-    for (std::size_t r = 0; r < kRanks; ++r)
-        for (std::size_t k = 0; k < kAbsorptions; ++k)
-            for (std::size_t m = 0; m < kProfiles; ++m)
-                weights[m] +=
-                    maps[r] * absorption[k] * core_.values[(r * kAbsorptions + k) * kProfiles + m];
+    auto product = maps.begin();
+    for (std::size_t k = 0; k < kAbsorptions; ++k)
+        for (std::size_t m = 0; m < kProfilesOf[k]; ++m) weights[m] += *product++ * absorption[k];
     return {profile_, moments_, eta, weights};
 }
 

@@ -4,7 +4,7 @@
 //           section 4 (the compression), Eq. 3 (the energies)
 //
 //   T01(cos_theta, alpha, eta, tau) =
-//       sum over r, k, m of maps_r(alpha, eta) core_rkm absorption_k(tau) profile_m(s)
+//       sum over k, m < kProfilesOf[k] of maps_km(alpha, eta) absorption_k(tau) profile_m(s)
 //
 // with s of tables/profile.h. Averages over cosine-weighted directions are integrals of this sum,
 // so that they agree with it whatever the compression.
@@ -18,9 +18,13 @@
 
 namespace lacquer {
 
-inline constexpr std::size_t kRanks = 20;       // channels of "maps"
-inline constexpr std::size_t kAbsorptions = 6;  // functions of tau
+inline constexpr std::size_t kAbsorptions = 5;  // functions of tau
 inline constexpr std::size_t kProfiles = 12;    // functions of s
+
+// The functions of s that each function of tau is multiplied with: the other products carry next to
+// nothing.
+inline constexpr std::array<std::size_t, kAbsorptions> kProfilesOf{12, 12, 10, 8, 6};
+inline constexpr std::size_t kProducts = 48;  // their sum: channels of "maps"
 
 // Integrals of each profile against cos dcos and cos^3 dcos over [0, 1], as polynomials of the
 // critical cosine (of degree 0 for dense): coefficient of power p of profile m at [p][m].
@@ -65,7 +69,7 @@ class TransmissionTable {
     TransmissionProfile profile(double alpha, double eta, double tau) const;
 
  private:
-    TableArray maps_, core_, profile_, absorption_;
+    TableArray maps_, profile_, absorption_;
     ProfileMoments moments_;
 };
 

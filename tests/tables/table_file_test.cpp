@@ -22,7 +22,7 @@ Table sample_table() {
                       {"channel", Mapping::index, 2, 0.0, 0.0, "1"}},
                      {0.0, 1.0, 0.25, -2.5, 1e-3, 60000.0}},
                     {"moments",
-                     {{"eta", Mapping::log_square, 2, 1.0, 3.0, "1"},
+                     {{"eta", Mapping::log_bent, 2, 1.0, 3.0, "1"},
                       {"channel", Mapping::index, 1, 0.0, 0.0, "1"}},
                      {1.0 / 3.0, 1e-20},
                      Encoding::float32}};
@@ -93,7 +93,7 @@ TEST(TableFile, NumbersThatHalvesCannotHoldAreRefused) {
 }
 
 TEST(Axis, PositionInvertsValue) {
-    for (const Mapping mapping : {Mapping::linear, Mapping::squared, Mapping::log_square}) {
+    for (const Mapping mapping : {Mapping::linear, Mapping::squared, Mapping::log_bent}) {
         const Axis axis{"x", mapping, 17, 1.0, 1.0 / 3.0, "1"};
         for (std::size_t node = 0; node < axis.size; ++node)
             EXPECT_NEAR(axis_position(axis, axis_value(axis, node)), static_cast<double>(node),
