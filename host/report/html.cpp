@@ -38,6 +38,14 @@ std::uint64_t query_count(const CompareResult& result) {
     return queries * result.materials.size();
 }
 
+std::string failed_names(const CompareResult& result) {
+    std::string names;
+    for (const BackendResult& backend : result.backends)
+        if (backend.status == Status::failed)
+            names += (names.empty() ? "" : ", ") + escaped(backend.name);
+    return names;
+}
+
 std::string verdict(const CompareResult& result) {
     const std::size_t failed = count_status(result, Status::failed);
     const std::size_t ran = result.backends.size() - count_status(result, Status::skipped);
@@ -45,7 +53,8 @@ std::string verdict(const CompareResult& result) {
     if (failed == 0)
         return fmt::format("{} of {} backends ran; all of them are within tolerance.", ran,
                            result.backends.size());
-    return fmt::format("{} of the {} backends that ran failed.", failed, ran);
+    return fmt::format("{} of the {} backends that ran failed: {}.", failed, ran,
+                       failed_names(result));
 }
 
 std::string fact(std::string_view value, std::string_view meaning) {

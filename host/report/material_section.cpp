@@ -144,18 +144,21 @@ std::string details_html(const CompareResult& result, std::size_t index) {
 std::string material_section(const CompareResult& result, std::size_t index) {
     const NamedMaterial& material = result.materials[index];
     std::string tiles = reference_tile(result, index);
-    for (const BackendResult& backend : result.backends)
-        if (!backend.materials.empty())
-            tiles += backend_tile(result, backend, backend.materials[index]);
+    int count = 1;
+    for (const BackendResult& backend : result.backends) {
+        if (backend.materials.empty()) continue;
+        tiles += backend_tile(result, backend, backend.materials[index]);
+        ++count;
+    }
     return fmt::format(
         R"(<section class="card" id="{}"><h3>{} <code>{}</code></h3>
-<div class="tiles">{}</div>
+<div class="tiles" style="--count: {}">{}</div>
 <h4 class="strip-title">Slices by the reference: all light directions, for a viewer at these
 angles from the normal</h4>
 {}{}{}</section>
 )",
-        material_anchor(material), escaped(material.material.name), escaped(material.name), tiles,
-        slice_labels(result), reference_strip(result, index), details_html(result, index));
+        material_anchor(material), escaped(material.material.name), escaped(material.name), count,
+        tiles, slice_labels(result), reference_strip(result, index), details_html(result, index));
 }
 
 }  // namespace lacquer
