@@ -12,6 +12,7 @@
 #include "integrate.h"
 #include "reference/beckmann.h"
 #include "support/chi_square.h"
+#include "support/expect_fit.h"
 
 namespace lacquer::reference {
 namespace {
@@ -213,11 +214,8 @@ TEST(Facets, SamplingFollowsTheVisibleDensity) {
     for (const Facets& facets : cases)
         for (const double cosine : cosines) {
             const glm::dvec3 w = test::direction(cosine, 0.7);
-            const test::ChiSquare fit =
-                test::chi_square(count_normals(facets, w), expect_normals(facets, w));
-            EXPECT_GT(fit.p_value(), significance)
-                << describe(facets) << " from " << cosine << ": chi^2 " << fit.statistic << " at "
-                << fit.degrees_of_freedom << " degrees of freedom";
+            test::expect_fit(count_normals(facets, w), expect_normals(facets, w), significance,
+                             describe(facets) + " from " + std::to_string(cosine));
         }
 }
 

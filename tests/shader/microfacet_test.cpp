@@ -7,6 +7,7 @@
 
 #include "shader/shader.h"
 #include "support/chi_square.h"
+#include "support/expect_fit.h"
 #include "support/quadrature.h"
 
 namespace lacquer::shader_test {
@@ -132,9 +133,7 @@ TEST_P(FacetsTest, VisibleNormalsFollowTheirDensity) {
                 expected[static_cast<std::size_t>(row / kSub * kColumns + column / kSub)] +=
                     kSamples * visible * wm.z * wm.z * wm.z * area;
             }
-        const test::ChiSquare fit = test::chi_square(observed, expected);
-        EXPECT_GT(fit.p_value(), significance)
-            << "view " << view << ": chi^2 " << fit.statistic << " at " << fit.degrees_of_freedom;
+        test::expect_fit(observed, expected, significance, "view " + std::to_string(view));
     }
 }
 

@@ -9,6 +9,7 @@
 #include "simulator/goniophotometer.h"
 #include "simulator/next_event.h"
 #include "support/chi_square.h"
+#include "support/expect_fit.h"
 #include "support/normal.h"
 
 namespace lacquer::simulator {
@@ -59,6 +60,7 @@ void expect_equal(const std::vector<Moments>& forth, const std::vector<Moments>&
                   const std::string& what) {
     constexpr double kMinSum = 40.0;
     test::ChiSquare fit;
+    test::CsvColumn sums_forth{"forth", {}}, sums_back{"back", {}};
     for (std::size_t a = 0; a < kCells; ++a)
         for (std::size_t b = 0; b < kCells; ++b) {
             const Moments& one = forth[a * kCells + b];
@@ -69,10 +71,14 @@ void expect_equal(const std::vector<Moments>& forth, const std::vector<Moments>&
             fit.statistic +=
                 difference * difference / (one.squares + scale * scale * other.squares);
             ++fit.degrees_of_freedom;
+            sums_forth.values.push_back(one.sum);
+            sums_back.values.push_back(scale * other.sum);
         }
     EXPECT_GT(fit.degrees_of_freedom, 50) << what;
-    EXPECT_GT(fit.p_value(), test::sidak_significance(kSuiteSignificance, kTests))
-        << what << ": chi-square " << fit.statistic << " of " << fit.degrees_of_freedom;
+    if (fit.p_value() > test::sidak_significance(kSuiteSignificance, kTests)) return;
+    ADD_FAILURE() << what << ": chi-square " << fit.statistic << " at " << fit.degrees_of_freedom
+                  << " degrees of freedom; pairs of cells in "
+                  << test::dump_csv({sums_forth, sums_back});
 }
 
 Blend two_strata(Blend::Operator op, Stratum top, Stratum bottom, double weight) {

@@ -12,6 +12,7 @@
 #include "simulator/goniophotometer.h"
 #include "simulator/microsurface.h"
 #include "support/chi_square.h"
+#include "support/expect_fit.h"
 
 namespace lacquer::simulator {
 namespace {
@@ -144,10 +145,8 @@ std::vector<double> expected_cells(const std::function<double(const Vec3&)>& den
 
 void expect_fit(const Surface& surface, const Vec3& wo, bool below,
                 const std::function<double(const Vec3&)>& density, const std::string& what) {
-    const auto fit =
-        test::chi_square(observed_cells(surface, wo, below), expected_cells(density, below));
-    EXPECT_GT(fit.p_value(), test::sidak_significance(kSuiteSignificance, kTests))
-        << what << ": chi-square " << fit.statistic << " of " << fit.degrees_of_freedom;
+    test::expect_fit(observed_cells(surface, wo, below), expected_cells(density, below),
+                     test::sidak_significance(kSuiteSignificance, kTests), what);
 }
 
 Vec3 direction(double cos_theta, double phi) {

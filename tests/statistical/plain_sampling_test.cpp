@@ -8,6 +8,7 @@
 
 #include "lacquer/bsdf.h"
 #include "support/chi_square.h"
+#include "support/expect_fit.h"
 
 namespace lacquer {
 namespace {
@@ -108,10 +109,8 @@ TEST(PlainSampling, FollowsItsDensity) {
         const glm::dvec3 wo{std::sin(test_case.theta_o), 0.0, std::cos(test_case.theta_o)};
         const auto observed = count_samples(prepare<float>(test_case.material), glm::vec3{wo});
         const auto expected = expect_samples(prepare<double>(test_case.material), wo);
-        const test::ChiSquare fit = test::chi_square(observed, expected);
-        EXPECT_GT(fit.p_value(), significance)
-            << test_case.name << " at " << test_case.theta_o << ": chi^2 " << fit.statistic
-            << " at " << fit.degrees_of_freedom << " degrees of freedom";
+        test::expect_fit(observed, expected, significance,
+                         test_case.name + (" at " + std::to_string(test_case.theta_o)));
     }
 }
 
