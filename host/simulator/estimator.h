@@ -70,6 +70,10 @@ class RunState {
     std::atomic<bool> stopped_ = false;
 };
 
+// Walks that are divided into blocks at a time. A stopped run is soon over, since it passes over
+// the blocks of one round only, however many walks were wanted.
+inline constexpr std::uint64_t kRound = 1 << 26;
+
 // Runs `walk(random, tally)`, or `walk(random, tally, n)` for walk number n, for every walk and
 // returns the merged tally, whose `count` is the number of walks made. Tally: default
 // constructible, merge(const Tally&), std::uint64_t count. A tally that takes long to merge wants
@@ -108,8 +112,11 @@ Tally run_walks(const RunOptions& options, const Walk& walk, std::uint64_t block
         }
     };
     Body body{options, walk, state};
-    tbb::parallel_deterministic_reduce(tbb::blocked_range<std::uint64_t>{0, options.samples, block},
-                                       body, tbb::simple_partitioner{});
+    for (std::uint64_t first = 0; first < options.samples && !state.stopped(); first += kRound) {
+        const std::uint64_t last = first + std::min(kRound, options.samples - first);
+        tbb::parallel_deterministic_reduce(tbb::blocked_range<std::uint64_t>{first, last, block},
+                                           body, tbb::simple_partitioner{});
+    }
     return std::move(body.tally);
 }
 

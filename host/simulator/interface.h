@@ -22,7 +22,8 @@ struct InterfaceEstimate {
     Estimate fgd;       // light arriving at cos_theta that is reflected
     Estimate r_up;      // R10: diffuse light from inside that is reflected back inside
     Estimate t_up;      // T10: diffuse light from inside that leaves
-    Estimate variance;  // sigma_2+: of the light that leaves, per axis of the projected disk
+    Estimate variance;  // sigma_2+: of the light that leaves, per axis of the projected disk; 0
+                        // where none leaves, under an opaque medium
     std::uint64_t samples = 0;
 };
 

@@ -82,8 +82,11 @@ struct SliceTally {
     }
 };
 
-// Walks between two merges of tallies that hold a number per pixel.
-constexpr std::uint64_t kBlock = 1 << 16;
+// Walks between two merges of tallies, which take time in proportion to their pixels.
+std::uint64_t block_of(const SlicePicture& picture) {
+    constexpr std::uint64_t kMinBlock = 1 << 14;
+    return std::max(kMinBlock, std::uint64_t{picture.pixel_count()});
+}
 
 SliceEstimate by_histogram(const StackWalk& stack, const Vec3& wo, const SlicePicture& picture,
                            const RunOptions& options) {
@@ -94,7 +97,7 @@ SliceEstimate by_histogram(const StackWalk& stack, const Vec3& wo, const SlicePi
             if (exit.fate == Fate::direct || exit.fate == Fate::base)
                 sum.pixel(picture, picture.pixel_of(exit.direction)).add(exit.weight);
         },
-        kBlock);
+        block_of(picture));
     tally.pixels.resize(picture.pixel_count());
     SliceEstimate result{SliceMethod::histogram, {}, tally.count};
     result.pixels.resize(picture.pixel_count());
@@ -128,7 +131,7 @@ SliceEstimate by_next_event(const SurfaceWalk& surface, int max_order, const Vec
             if (sum.walks.empty()) sum.walks.resize(picture.pixel_count());
             ++sum.walks[index];
         },
-        kBlock);
+        block_of(picture));
     SliceEstimate result{SliceMethod::next_event, {}, tally.count};
     result.pixels.resize(picture.pixel_count());
     for (const std::size_t index : visible)

@@ -49,6 +49,10 @@ class StackWalk {
     // over nothing. nullptr for a Lambertian base and for anything with several parts.
     const SurfaceWalk* only_surface() const;
 
+    // Whether all light that comes back was reflected by one surface, so that the number of facets
+    // it met is its order of scattering there.
+    bool is_one_surface() const { return levels_.empty() || only_surface() != nullptr; }
+
     int orders_per_crossing() const { return orders_per_crossing_; }
 
  private:
