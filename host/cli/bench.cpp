@@ -1,8 +1,7 @@
-// `lacquer bench`: how fast the backends are.
+// `lacquer bench`: how fast the backends and the simulator are.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,7 +11,9 @@
 #include "backends/backend.h"
 #include "cli/commands.h"
 #include "cli/material_argument.h"
+#include "cli/median.h"
 #include "cli/options.h"
+#include "cli/walk_rate.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/table.h"
@@ -25,7 +26,7 @@ namespace {
 constexpr std::int64_t kDefaultQueries = std::int64_t{1} << 20;
 constexpr int kMaxRuns = 1000;
 
-constexpr const char* kSummary = "Measure how fast the backends are";
+constexpr const char* kSummary = "Measure how fast the backends and the simulator are";
 
 constexpr const char* kHelp =
     R"(Measures how many pairs of directions each backend evaluates per second: the median of several
@@ -34,8 +35,12 @@ as a multiple of a kernel that moves the same bytes and computes nothing, `/ pla
 multiple of the model plain. `device` is the rate of the kernel alone by the device's own
 clock, where it has one. On a shared machine only the ratios mean much.
 
+For the simulator, the rate of light walking through one rough interface between dielectrics, in
+millions per second of one core's own time. Left out where --backend names others.
+
 Examples:
   lacquer bench
+  lacquer bench --simulator
   lacquer bench --backend vulkan --device nvidia --queries 67108864 --json)";
 
 struct Arguments {
@@ -45,6 +50,7 @@ struct Arguments {
     std::int64_t queries = kDefaultQueries;
     int runs = 5;
     BackendOptions options;
+    bool simulator_only = false;
     bool json = false;
 };
 
@@ -78,12 +84,6 @@ std::vector<glm::vec4> lattice_inputs(std::uint64_t queries) {
         inputs.push_back(direction((i + queries / 4) % queries));
     }
     return inputs;
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 Timing time_job(Backend& backend, const Job& job, int runs) {
@@ -128,10 +128,10 @@ Measurement measure(const BackendEntry& entry, const Arguments& arguments, Job j
     return measurement;
 }
 
-std::vector<const BackendEntry*> chosen_backends(const std::vector<std::string>& names) {
+std::vector<const BackendEntry*> chosen_backends(const Arguments& arguments) {
     std::vector<const BackendEntry*> entries;
-    for (const std::string& name : names) entries.push_back(&backend_from_name(name));
-    if (names.empty())
+    for (const std::string& name : arguments.backends) entries.push_back(&backend_from_name(name));
+    if (entries.empty() && !arguments.simulator_only)
         for (const BackendEntry& entry : all_backends()) entries.push_back(&entry);
     return entries;
 }
@@ -162,8 +162,9 @@ std::string table_text(const std::vector<Measurement>& measurements, std::int64_
                         rows);
 }
 
-std::string json_text(const std::vector<Measurement>& measurements, const Arguments& arguments) {
-    using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
+
+Json to_json(const std::vector<Measurement>& measurements, const Arguments& arguments) {
     Json backends = Json::array();
     for (const Measurement& m : measurements) {
         Json backend{{"name", m.backend}, {"device", m.device}, {"reason", m.reason}};
@@ -178,22 +179,32 @@ std::string json_text(const std::vector<Measurement>& measurements, const Argume
         }
         backends.push_back(backend);
     }
-    return Json{{"version", kVersion},
-                {"model", arguments.model},
-                {"material", arguments.material},
-                {"queries", arguments.queries},
-                {"runs", arguments.runs},
-                {"backends", backends}}
-               .dump(2) +
-           "\n";
+    return backends;
 }
 
-void run(const Arguments& arguments) {
-    require_range("--queries", double(arguments.queries), 1.0, double(kMaxQueries));
+std::string json_text(const std::vector<Measurement>& measurements,
+                      const std::vector<WalkRate>& walk_rates, const Arguments& arguments) {
+    Json json{{"version", kVersion},
+              {"model", arguments.model},
+              {"material", arguments.material},
+              {"queries", arguments.queries},
+              {"runs", arguments.runs},
+              {"backends", to_json(measurements, arguments)}};
+    if (!walk_rates.empty()) json["simulator"] = to_json(walk_rates);
+    return json.dump(2) + "\n";
+}
+
+std::string table_text(const std::vector<Measurement>& measurements,
+                       const std::vector<WalkRate>& walk_rates, std::int64_t queries) {
+    if (walk_rates.empty()) return table_text(measurements, queries);
+    if (measurements.empty()) return table_text(walk_rates);
+    return table_text(measurements, queries) + "\n" + table_text(walk_rates);
+}
+
+std::vector<Measurement> measure_backends(const Arguments& arguments, Progress& progress,
+                                          const std::vector<const BackendEntry*>& entries) {
     const Material material = load_material(material_file(arguments.material));
     require_untextured(material);
-    model_from_name(arguments.model);
-    const std::vector<const BackendEntry*> entries = chosen_backends(arguments.backends);
     const auto queries = static_cast<std::uint64_t>(arguments.queries);
     const std::vector<glm::vec4> inputs = lattice_inputs(queries);
     Job job;
@@ -201,15 +212,28 @@ void run(const Arguments& arguments) {
     job.queries_per_material = queries;
     job.inputs = inputs;
     std::vector<Measurement> measurements;
-    {
-        Progress progress{"bench", entries.size()};
-        for (const BackendEntry* entry : entries) {
-            measurements.push_back(measure(*entry, arguments, job, progress));
-            progress.advance();
-        }
+    for (const BackendEntry* entry : entries) {
+        measurements.push_back(measure(*entry, arguments, job, progress));
+        progress.advance();
     }
-    print_data(arguments.json ? json_text(measurements, arguments)
-                              : table_text(measurements, arguments.queries));
+    return measurements;
+}
+
+void run(const Arguments& arguments) {
+    require_range("--queries", double(arguments.queries), 1.0, double(kMaxQueries));
+    model_from_name(arguments.model);
+    const std::vector<const BackendEntry*> entries = chosen_backends(arguments);
+    std::vector<Measurement> measurements;
+    std::vector<WalkRate> walk_rates;
+    {
+        const bool with_simulator = arguments.backends.empty();
+        Progress progress{"bench", entries.size() + (with_simulator ? 1 : 0)};
+        if (!entries.empty()) measurements = measure_backends(arguments, progress, entries);
+        progress.note("simulator");
+        if (with_simulator) walk_rates = measure_walk_rates(arguments.runs);
+    }
+    print_data(arguments.json ? json_text(measurements, walk_rates, arguments)
+                              : table_text(measurements, walk_rates, arguments.queries));
     for (const Measurement& m : measurements)
         if (!m.reason.empty() && !arguments.backends.empty())
             throw Error{fmt::format("backend '{}' cannot run here: {}", m.backend, m.reason)};
@@ -220,10 +244,13 @@ void run(const Arguments& arguments) {
 void add_bench_command(CLI::App& app) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand("bench", kSummary)->footer(kHelp);
-    command
-        ->add_option("--backend", arguments->backends,
-                     "Backend to measure, may be repeated (default: all that can run)")
-        ->allow_extra_args(false);
+    CLI::Option* backend =
+        command
+            ->add_option("--backend", arguments->backends,
+                         "Backend to measure, may be repeated (default: all that can run)")
+            ->allow_extra_args(false);
+    command->add_flag("--simulator", arguments->simulator_only, "Measure the simulator only")
+        ->excludes(backend);
     command->add_option("--material", arguments->material, "Material file, or a bundled name")
         ->capture_default_str();
     command->add_option("--model", arguments->model, "How it is shaded")->capture_default_str();

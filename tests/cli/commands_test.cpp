@@ -14,8 +14,10 @@ namespace lacquer {
 namespace {
 
 using nlohmann::json;
+using test::expect_failure;
 using test::expect_success;
 using test::kLambertian;
+using test::kUsage;
 using test::run_lacquer;
 using test::TemporaryFolder;
 using test::Words;
@@ -28,7 +30,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kDoubleRounding = 1e-15;
 constexpr double kFloatRounding = 5e-7;
 
-constexpr std::array kCommands{"compare", "bench",  "eval",   "albedo",
+constexpr std::array kCommands{"compare", "bench",  "eval",   "albedo", "interface",
                                "slice",   "sphere", "export", "doctor"};
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -56,8 +58,7 @@ class Commands : public ::testing::Test {
 };
 
 TEST(Help, OfEveryCommandShowsExamples) {
-    for (const char* command :
-         kCommands) {
+    for (const char* command : kCommands) {
         const ProcessResult result = run_lacquer({command, "--help"});
         expect_success(result);
         EXPECT_THAT(result.out, HasSubstr("Examples:\n  lacquer " + std::string{command}));
@@ -67,8 +68,7 @@ TEST(Help, OfEveryCommandShowsExamples) {
 TEST(Help, OfTheProgramListsTheCommands) {
     const ProcessResult result = run_lacquer({"--help"});
     expect_success(result);
-    for (const char* command : kCommands)
-        EXPECT_THAT(result.out, HasSubstr(command));
+    for (const char* command : kCommands) EXPECT_THAT(result.out, HasSubstr(command));
 }
 
 TEST(Version, IsPrinted) {
@@ -147,6 +147,23 @@ TEST_F(Commands, BenchMeasuresRatesAndRatios) {
     EXPECT_GT(backend.at("queries_per_second").get<double>(), 0.0);
     EXPECT_GT(backend.at("ratio_to_copy").get<double>(), 0.0);
     EXPECT_EQ(backend.at("ratio_to_plain"), 1.0);
+}
+
+TEST_F(Commands, BenchMeasuresTheSimulator) {
+    const ProcessResult result = run_lacquer({"bench", "--simulator", "--runs", "1", "--json"});
+    expect_success(result);
+    const json parsed = json::parse(result.out);
+    EXPECT_THAT(parsed.at("backends"), SizeIs(0));
+    const json& rates = parsed.at("simulator");
+    ASSERT_THAT(rates, SizeIs(6));
+    for (const json& rate : rates) {
+        EXPECT_EQ(rate.at("eta"), 1.5);
+        EXPECT_GT(rate.at("walks_per_core_second").get<double>(), 0.0);
+    }
+    EXPECT_EQ(rates[0].at("ndf"), "ggx");
+    EXPECT_EQ(rates[0].at("alpha"), 0.1);
+    expect_failure(run_lacquer({"bench", "--simulator", "--backend", "cpp"}), kUsage,
+                   {"--simulator", "--backend"});
 }
 
 TEST_F(Commands, BenchTakesASingleQuery) {
