@@ -19,8 +19,7 @@ const Axis kEtas{"eta", Mapping::log_bent, 2, 1.0 / 3.0, 3.0, "1"};
 const Axis kTaus{"tau", Mapping::linear, 2, 0.0, 1.0, "1"};
 
 double draw(const Axis& axis, double number) {
-    if (axis.mapping == Mapping::log_bent)
-        return axis.from * std::pow(axis.to / axis.from, number);
+    if (axis.mapping == Mapping::log_bent) return axis.from * std::pow(axis.to / axis.from, number);
     return axis.from + (axis.to - axis.from) * number;
 }
 

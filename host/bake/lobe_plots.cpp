@@ -44,7 +44,7 @@ double roughness_of(double variance) {
 }
 
 std::string variance_plot() {
-    Plot plot{"Variance of a lobe (figure 3)", "alpha", "variance", 0, 1, 0, 0.3, {}};
+    Plot plot{"Variance (figure 3)", "alpha", "variance", 0, 1, 0, 0.3, {}};
     plot.curves.push_back(curve_of(
         "one bounce", 1.0, [](double alpha) { return variance_of(reflected_lobe(alpha, 0.0)); }));
     plot.curves.push_back(curve_of("two bounces", 1.0, [](double alpha) {
@@ -54,7 +54,7 @@ std::string variance_plot() {
 }
 
 std::string two_bounces_plot(const EquivalentRoughness& equivalent) {
-    Plot plot{"Roughness of two bounces; adding in Eq. 6's space dashed (figure 4)",
+    Plot plot{"Two bounces; Eq. 6 dashed (figure 4)",
               "alpha of the second",
               "equivalent alpha",
               0,
@@ -77,7 +77,7 @@ std::string two_bounces_plot(const EquivalentRoughness& equivalent) {
 }
 
 std::string transmitted_mean_plot(double alpha) {
-    Plot plot{fmt::format("Mean of transmitted light, alpha {}; Snell dashed (figure 5)", alpha),
+    Plot plot{fmt::format("Mean, alpha {}; Snell dashed (figure 5)", alpha),
               "|mu_i|",
               "|mu_t|",
               0,
@@ -121,9 +121,9 @@ Curve scaled_lobe(const std::string& label, const LobeWalk& walk) {
 
 std::string widths_plot() {
     constexpr double kSine = 0.5, kAlpha = 0.2, kEta = 1.5;  // 30 degrees
-    return svg_of({fmt::format("Lobes at 30 degrees, alpha {}, scaled to 1 (figure 6)", kAlpha),
+    return svg_of({fmt::format("Lobes at 30 degrees, alpha {} (figure 6)", kAlpha),
                    "sine of the outgoing angle",
-                   "share",
+                   "scaled to 1",
                    -1,
                    1,
                    0,
@@ -133,14 +133,7 @@ std::string widths_plot() {
 }
 
 std::string stacks_plot(const EquivalentRoughness& equivalent) {
-    Plot plot{"Roughness of two and four layers, simulated (figure 21)",
-              "alpha of the top",
-              "equivalent alpha",
-              0,
-              1,
-              0,
-              1,
-              {}};
+    Plot plot{"Stacks (figure 21)", "alpha of the top", "equivalent alpha", 0, 1, 0, 1, {}};
     plot.curves.push_back(curve_of("two layers", 1.0, [&](double alpha) {
         return equivalent(variance_of(stack_lobe({{1.4, alpha}}, 0.3)));
     }));

@@ -12,8 +12,8 @@ namespace {
 constexpr double kWidth = 380, kHeight = 260;
 constexpr double kLeft = 46, kRight = 92, kTop = 26, kBottom = 36;  // margins
 constexpr int kTicks = 5;
-constexpr std::array<const char*, 7> kColors{"#1b6ca8", "#c8452d", "#2f8f46", "#8a4fa3",
-                                             "#b07a00", "#3d8f92", "#6b6b6b"};
+constexpr std::array<const char*, 7> kColors{"#3a86c8", "#d4573f", "#3ba35a", "#9a63b5",
+                                             "#c08a10", "#46a0a3", "#80807c"};
 
 double x_of(const Plot& plot, double x) {
     return kLeft + (x - plot.x_from) / (plot.x_to - plot.x_from) * (kWidth - kLeft - kRight);
@@ -47,6 +47,7 @@ std::string axes_of(const Plot& plot) {
     return svg;
 }
 
+// `index` counts labelled curves: one without a label has the colour of the one before.
 std::string curve_of(const Plot& plot, const Curve& curve, std::size_t index) {
     const char* color = kColors[index % kColors.size()];
     std::string path;
@@ -56,8 +57,9 @@ std::string curve_of(const Plot& plot, const Curve& curve, std::size_t index) {
     std::string svg = fmt::format(R"(<path class="curve" stroke="{}"{} d="{}"/>)", color,
                                   curve.dashed ? R"( stroke-dasharray="5 3")" : "", path);
     if (!curve.label.empty())
-        svg += fmt::format(R"(<text x="{}" y="{:.1f}" fill="{}">{}</text>)", kWidth - kRight + 6,
-                           kTop + 8 + 14.0 * static_cast<double>(index), color, curve.label);
+        svg +=
+            fmt::format(R"(<text x="{}" y="{:.1f}" style="fill:{}">{}</text>)", kWidth - kRight + 6,
+                        kTop + 8 + 14.0 * static_cast<double>(index), color, curve.label);
     return svg;
 }
 
@@ -68,7 +70,11 @@ std::string svg_of(const Plot& plot) {
         R"(<svg viewBox="0 0 {0} {1}" width="{0}" height="{1}" role="img" aria-label="{2}">)",
         kWidth, kHeight, plot.title);
     svg += axes_of(plot);
-    for (std::size_t n = 0; n < plot.curves.size(); ++n) svg += curve_of(plot, plot.curves[n], n);
+    std::size_t labelled = 0;
+    for (const Curve& curve : plot.curves) {
+        if (!curve.label.empty()) ++labelled;
+        svg += curve_of(plot, curve, labelled == 0 ? 0 : labelled - 1);
+    }
     return svg + "</svg>";
 }
 

@@ -7,7 +7,7 @@
 namespace lacquer::bake {
 
 struct Curve {
-    std::string label;
+    std::string label;  // empty: belongs to the curve before, in the same colour
     std::vector<double> x, y;
     bool dashed = false;
 };

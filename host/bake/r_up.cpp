@@ -7,7 +7,7 @@ namespace lacquer::bake {
 
 namespace {
 
-constexpr std::size_t kAlphas = 24, kEtas = 16, kTerms = 4;
+constexpr std::size_t kAlphas = 24, kEtas = 16, kTerms = 6;
 
 void simulate_node(const Parameters& node, const SobolPoints& points, std::uint64_t seed,
                    std::span<float> values) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bake/accuracy.h"
+#include "bake/truncation.h"
 
 namespace lacquer::bake {
 
@@ -28,6 +29,7 @@ struct BakeRecord {
     std::size_t point_samples = 0;  // walks of each
     std::vector<TableRecord> tables;
     std::vector<CheckRecord> checks;
+    std::vector<Truncation> truncations;  // for the page only
 };
 
 // Markdown between the markers kAccuracyBegin and kAccuracyEnd.

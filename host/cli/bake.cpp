@@ -77,6 +77,10 @@ void publish(const BakeArguments& arguments, const Preset& preset,
     const fs::path readme = fs::path{arguments.folder} / "README.md";
     if (fs::exists(readme)) write_file(readme, bake::with_accuracy(read_file(readme), text));
     if (arguments.report.empty()) return;
+    for (const std::size_t n : {0, 1})  // the tables of T01
+        for (bake::Truncation& each : bake::truncation_errors(
+                 tables, n, bakes[n].quantities.front(), baked[n].dense.front()))
+            record.truncations.push_back(std::move(each));
     fs::create_directories(arguments.report);
     write_file(fs::path{arguments.report} / "tables.html", bake::report_page(energies, record));
 }
