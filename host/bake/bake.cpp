@@ -32,10 +32,14 @@ std::uint64_t fingerprint_of(const Quantity& quantity, const BakeSettings& setti
     return hash_of(text);
 }
 
+std::string checkpoint_prefix(const Quantity& quantity) {
+    return quantity.name + ".checkpoint-";
+}
+
 std::filesystem::path checkpoint_file(const Quantity& quantity, const BakeRun& run,
                                       const Ranks& ranks) {
     return run.folder /
-           fmt::format("{}.checkpoint-{}-of-{}", quantity.name, ranks.rank() + 1, ranks.count());
+           fmt::format("{}{}-of-{}", checkpoint_prefix(quantity), ranks.rank() + 1, ranks.count());
 }
 
 }  // namespace
@@ -60,7 +64,6 @@ DenseValues simulate(const Quantity& quantity, const BakeRun& run, const Ranks& 
         progress.advance();
     });
     ranks.gather(values);
-    checkpoint.remove();
     return values;
 }
 
@@ -79,6 +82,15 @@ BakedTable bake_table(const TableBake& bake, const BakeRun& run, const Ranks& ra
                     {{"table", bake.name}, {"quantity", bake.quantity}});
     }
     return baked;
+}
+
+void discard_checkpoints(const TableBake& bake, const BakeRun& run) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator{run.folder})
+        for (const Quantity& quantity : bake.quantities)
+            if (entry.path().filename().string().starts_with(checkpoint_prefix(quantity)))
+                files.push_back(entry.path());
+    for (const std::filesystem::path& file : files) std::filesystem::remove(file);
 }
 
 }  // namespace lacquer::bake

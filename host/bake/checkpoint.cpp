@@ -88,10 +88,4 @@ void Checkpoint::record(std::size_t node, std::span<const float> values) {
                                 std::generic_category().message(errno != 0 ? errno : EIO))};
 }
 
-void Checkpoint::remove() {
-    stream_.close();
-    std::error_code ignored;
-    std::filesystem::remove(file_, ignored);
-}
-
 }  // namespace lacquer::bake

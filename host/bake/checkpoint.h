@@ -25,9 +25,6 @@ class Checkpoint {
     // Safe to call from several threads.
     void record(std::size_t node, std::span<const float> values);
 
-    // Deletes the file: the bake is complete.
-    void remove();
-
  private:
     void read();
     std::size_t record_bytes() const;

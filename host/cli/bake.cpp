@@ -86,6 +86,8 @@ void publish(const BakeArguments& arguments, const Preset& preset,
 }
 
 void run(const BakeArguments& arguments) {
+    if (!arguments.report.empty() && !arguments.tables.empty())
+        throw UsageError{"--report needs all tables: leave --table out"};
     const bake::Ranks ranks;
     const Preset& preset = arguments.coarse ? kCoarse : kDefault;
     bake::BakeRun run;
@@ -114,8 +116,7 @@ void run(const BakeArguments& arguments) {
     if (!ranks.first()) return;
     if (baked.size() == kTableNames.size())
         publish(arguments, preset, bakes, baked, std::move(record));
-    else if (!arguments.report.empty())
-        throw UsageError{"--report needs all tables: leave --table out"};
+    for (const bake::TableBake& each : bakes) bake::discard_checkpoints(each, run);
 }
 
 }  // namespace

@@ -119,7 +119,8 @@ TEST(Bake, AKilledBakeResumesToTheSameBytes) {
     const test::TemporaryFolder whole, killed;
     const std::string expected = baked_bytes(whole.path());
 
-    const fs::path checkpoint = killed / "r_up_thin.checkpoint-1-of-1";
+    // Killed in the second of its two grids: the first is not simulated again.
+    const fs::path checkpoint = killed / "r_up_dense.checkpoint-1-of-1";
     const pid_t child = start(bake_into(killed.path()));
     constexpr std::uintmax_t kSomeNodes = 20'000;
     while (size_of(checkpoint) < kSomeNodes && ::waitpid(child, nullptr, WNOHANG) == 0)
@@ -127,6 +128,7 @@ TEST(Bake, AKilledBakeResumesToTheSameBytes) {
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     ASSERT_GE(size_of(checkpoint), kSomeNodes) << "the bake ended before it could be killed";
+    ASSERT_TRUE(fs::exists(killed / "r_up_thin.checkpoint-1-of-1"));
     ASSERT_FALSE(fs::exists(killed / "r_up.bin"));
 
     std::vector<std::string> arguments = bake_into(killed.path());
