@@ -40,27 +40,37 @@ struct Slope {
     double along, across;
 };
 
-// Density proportional to max(0, cosine - sine * along) exp(-along^2 - across^2). Rejection: from
-// above, out of (cosine + sine |along|) exp(-along^2 - across^2), accepting at least half; from
-// below, out of the tail of |along| exp(-along^2).
+// Density proportional to depth exp(-depth^2) beyond `start` >= 0.
+double sample_tail(double start, RandomStream& random) {
+    return std::sqrt(start * start - std::log(random.uniform()));
+}
+
+// Density proportional to max(0, cosine - sine * along) exp(-along^2 - across^2).
+//
+// Seen from below, the facets are a tail of slopes towards w, drawn by rejection from
+// depth exp(-depth^2). From above, +depth and -depth along together have the density of a bell,
+// 2 cosine exp(-depth^2), plus that of the tail beyond start = cosine / sine, which is less than
+// sine depth exp(-depth^2) and thus in all less than sine exp(-start^2) / 2 <= sine^3 / 2.
 Slope sample_beckmann_slope(double cosine, double sine, RandomStream& random) {
-    if (cosine >= 0.0) {
-        const double bell = cosine * std::sqrt(kPi);
+    const double start = std::abs(cosine) / sine;
+    if (cosine < 0.0) {
         for (;;) {
-            BellPair slope = sample_bell_pair(random);
-            const double pick = random.uniform() * (bell + sine);
-            if (pick >= bell)
-                slope.x = std::copysign(std::sqrt(-std::log(random.uniform())), slope.x);
-            const double wanted = cosine - slope.x * sine;
-            const double proposed = cosine + std::abs(slope.x) * sine;
-            if (random.uniform() * proposed < wanted) return {slope.x, slope.y};
+            const double depth = sample_tail(start, random);
+            if (random.uniform() * depth < depth - start)
+                return {-depth, sample_bell_pair(random).y};
         }
     }
-    const double start = -cosine / sine;
-    for (;;) {
-        const double depth = std::sqrt(start * start - std::log(random.uniform()));
-        if (random.uniform() * depth < depth - start) return {-depth, sample_bell_pair(random).y};
+    const double bell = cosine * std::sqrt(kPi);
+    const double tail = 0.5 * sine * sine * sine;
+    while (random.uniform() * (bell + tail) >= bell) {
+        const double depth = sample_tail(start, random);
+        if (random.uniform() * depth * sine * sine < (depth - start) * std::exp(-start * start))
+            return {-depth, sample_bell_pair(random).y};
     }
+    const BellPair slope = sample_bell_pair(random);
+    const double depth = std::abs(slope.x);
+    const bool towards_w = random.uniform() * 2.0 * cosine < cosine + sine * depth;
+    return {towards_w ? -depth : depth, slope.y};
 }
 
 Vec3 sample_beckmann(const Vec3& w, RandomStream& random) {
