@@ -95,6 +95,17 @@ Check check_of_tir() {
             }};
 }
 
+Check check_of_multiple() {
+    return {"FGD after more than one facet",
+            {kCosines, kAlphas, kEtas},
+            [](const EnergyTables& tables, const Parameters& p) {
+                return tables.fgd_multiple(p[0], p[1], p[2]);
+            },
+            [](const Parameters& p, const SobolPoints& points, std::uint64_t seed) {
+                return light_reflected_again(p[0], p[1], p[2], points, seed);
+            }};
+}
+
 Check check_of_mirror() {
     return {"single-scattering mirrors",
             {kCosines, kAlphas},
@@ -121,8 +132,8 @@ ErrorSummary summarise(std::vector<double> errors, const std::vector<Parameters>
 }  // namespace
 
 std::vector<Check> all_checks() {
-    return {check_of_t_down(),    check_of_t_up(), check_of_r_up(),  check_of_dielectric(),
-            check_of_conductor(), check_of_tir(),  check_of_mirror()};
+    return {check_of_t_down(),   check_of_t_up(),      check_of_r_up(), check_of_dielectric(),
+            check_of_multiple(), check_of_conductor(), check_of_tir(),  check_of_mirror()};
 }
 
 ErrorSummary judge_off_grid(const Check& check, const EnergyTables& tables, std::size_t count,

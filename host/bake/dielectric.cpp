@@ -12,6 +12,8 @@ namespace {
 constexpr double kFaint = 0.05;
 constexpr int kMaxOrder = 512;
 constexpr double kDeepest = -34.0;  // log u: keeps 1 - u below 1
+// Exactly along the plane a ray meets nothing but the outermost tips, and divides by 0.
+constexpr double kGrazing = 1e-6;
 
 // A ray below the top of a half space. `below` tells which side of the interface the half space
 // belongs to.
@@ -20,6 +22,13 @@ struct Ray {
     double log_u = 0.0;
     double light = 1.0;
     bool below = false;
+};
+
+// Light that leaves a half space: to which side, how steeply, how much, after how many facets.
+struct Escape {
+    bool below;
+    double cosine, light;
+    int order;
 };
 
 Ray reflect(const Ray& ray, const Vec3& wm, double reflectance) {
@@ -37,10 +46,10 @@ Ray refract(const Ray& ray, const Vec3& wm, double cos_theta_i, double eta,
 
 // Takes the light that leaves the half space off the ray and scores it.
 template <typename Score>
-void let_escape(Ray& ray, double lambda, const Score& score) {
+void let_escape(Ray& ray, double lambda, int order, const Score& score) {
     if (ray.w.z <= 0.0 || ray.light <= 0.0) return;
     const double escaping = std::exp(lambda * ray.log_u);
-    score(ray.below, ray.w.z, ray.light * escaping);
+    score(Escape{ray.below, ray.w.z, ray.light * escaping, order});
     ray.light *= 1.0 - escaping;
 }
 
@@ -58,14 +67,14 @@ bool survives(Ray& ray, WalkNumbers& numbers) {
     return true;
 }
 
-// `score(below, cosine, light)` is told what leaves.
+// `score(escape)` is told what leaves.
 template <typename Score>
 void walk(const Vec3& start, double alpha, double eta, WalkNumbers& numbers, const Score& score) {
     Ray ray{start, 0.0, 1.0, false};
     fly(ray, ggx_lambda(alpha, ray.w), numbers.next());
     // The first facet's normal: half of the circle, the plane of incidence mirrors the other half.
     double phi_number = 0.5 * numbers.next();
-    for (int order = 0; order < kMaxOrder; ++order) {
+    for (int order = 1; order <= kMaxOrder; ++order) {
         const Vec3 wm = visible_normal(alpha, -ray.w, phi_number, numbers.next());
         const double cos_theta_i = std::min(-glm::dot(ray.w, wm), 1.0);
         const double facet_eta = ray.below ? 1.0 / eta : eta;
@@ -74,8 +83,8 @@ void walk(const Vec3& start, double alpha, double eta, WalkNumbers& numbers, con
         Ray refracted = refract(ray, wm, cos_theta_i, facet_eta, split);
         const double reflected_lambda = ggx_lambda(alpha, reflected.w);
         const double refracted_lambda = ggx_lambda(alpha, refracted.w);
-        let_escape(reflected, reflected_lambda, score);
-        let_escape(refracted, refracted_lambda, score);
+        let_escape(reflected, reflected_lambda, order, score);
+        let_escape(refracted, refracted_lambda, order, score);
         const double light = reflected.light + refracted.light;
         if (light <= 0.0) return;
         const bool reflects = numbers.next() * light < reflected.light;
@@ -91,8 +100,8 @@ void walk(const Vec3& start, double alpha, double eta, WalkNumbers& numbers, con
 template <typename Score>
 void cross_smooth(double cosine, double eta, const Score& score) {
     const FresnelSplit split = dielectric_split(cosine, eta);
-    score(false, cosine, split.reflectance);
-    score(true, split.cos_theta_t, 1.0 - split.reflectance);
+    score(Escape{false, cosine, split.reflectance, 1});
+    score(Escape{true, split.cos_theta_t, 1.0 - split.reflectance, 1});
 }
 
 template <typename Score>
@@ -130,19 +139,30 @@ void CosineHistogram::scale(double factor) {
 
 CosineHistogram light_entering(double cos_theta, double alpha, double eta,
                                const SobolPoints& points, std::uint64_t node_seed) {
-    // Exactly along the plane a ray meets nothing but the outermost tips, and divides by 0.
-    constexpr double kGrazing = 1e-6;
     const double cosine = std::clamp(cos_theta, kGrazing, 1.0);
     const std::size_t walks = alpha > 0.0 ? points.count() : 1;
     CosineHistogram entered;
     for (std::size_t n = 0; n < walks; ++n) {
         WalkNumbers numbers{points, node_seed, n};
-        cross(cosine, alpha, eta, numbers, [&](bool below, double out, double light) {
-            if (below) entered.add(out, light);
+        cross(cosine, alpha, eta, numbers, [&](const Escape& escape) {
+            if (escape.below) entered.add(escape.cosine, escape.light);
         });
     }
     entered.scale(1.0 / static_cast<double>(walks));
     return entered;
+}
+
+double light_reflected_again(double cos_theta, double alpha, double eta, const SobolPoints& points,
+                             std::uint64_t node_seed) {
+    if (alpha <= 0.0) return 0.0;
+    double reflected = 0.0;
+    for (std::size_t n = 0; n < points.count(); ++n) {
+        WalkNumbers numbers{points, node_seed, n};
+        cross(std::clamp(cos_theta, kGrazing, 1.0), alpha, eta, numbers, [&](const Escape& escape) {
+            if (!escape.below && escape.order > 1) reflected += escape.light;
+        });
+    }
+    return reflected / static_cast<double>(points.count());
 }
 
 DiffuseExits light_leaving(double alpha, double eta, const SobolPoints& points,
@@ -152,11 +172,11 @@ DiffuseExits light_leaving(double alpha, double eta, const SobolPoints& points,
         WalkNumbers numbers{points, node_seed, n};
         const double cosine = std::sqrt(numbers.next());
         // Turned over, the light comes from above and the index is inverted.
-        cross(cosine, alpha, 1.0 / eta, numbers, [&](bool outside, double out, double light) {
-            if (outside)
-                exits.left.add(cosine, light);
-            else if (out > 0.0)
-                exits.reflected.add(2.0 / (1.0 / cosine + 1.0 / out), light);
+        cross(cosine, alpha, 1.0 / eta, numbers, [&](const Escape& escape) {
+            if (escape.below)
+                exits.left.add(cosine, escape.light);
+            else if (escape.cosine > 0.0)
+                exits.reflected.add(2.0 / (1.0 / cosine + 1.0 / escape.cosine), escape.light);
         });
     }
     const double share = 1.0 / static_cast<double>(points.count());

@@ -32,6 +32,10 @@ struct CosineHistogram {
 CosineHistogram light_entering(double cos_theta, double alpha, double eta,
                                const SobolPoints& points, std::uint64_t node_seed);
 
+// The part of the light that does not enter which has met more than one facet.
+double light_reflected_again(double cos_theta, double alpha, double eta, const SobolPoints& points,
+                             std::uint64_t node_seed);
+
 // Diffuse light from below.
 struct DiffuseExits {
     CosineHistogram left;       // by the cosine before it left

@@ -33,6 +33,18 @@ Matrix to_matrix(const DenseValues& values, std::size_t columns) {
         .cast<double>();
 }
 
+void append_factors(const std::string& prefix, const std::string& function,
+                    std::span<const Axis> axes, const DenseValues& dense, std::size_t count,
+                    std::vector<TableArray>& arrays) {
+    const Matrix values = to_matrix(dense, axes.back().size);
+    const Matrix functions = principal_rows(values, count);
+    const Axis channels = channel_axis(function, count);
+    std::vector<Axis> map_axes(axes.begin(), axes.end());
+    map_axes.back() = channels;
+    arrays.push_back(make_array(prefix + "maps", map_axes, values * functions.transpose()));
+    arrays.push_back(make_array(prefix + function, {axes.back(), channels}, functions.transpose()));
+}
+
 TableArray make_array(std::string name, std::vector<Axis> axes, const Matrix& values) {
     return {std::move(name), std::move(axes),
             std::vector<double>(values.data(), values.data() + values.size()), Encoding::float16};

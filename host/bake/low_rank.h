@@ -20,6 +20,12 @@ Eigen::VectorXd node_weights(std::size_t size);
 
 Matrix to_matrix(const DenseValues& values, std::size_t columns);
 
+// Appends two arrays: functions of the last axis of a dense bake, named `function`, and "maps" of
+// their coefficients over its other axes.
+void append_factors(const std::string& prefix, const std::string& function,
+                    std::span<const Axis> axes, const DenseValues& dense, std::size_t count,
+                    std::vector<TableArray>& arrays);
+
 TableArray make_array(std::string name, std::vector<Axis> axes, const Matrix& values);
 
 }  // namespace lacquer::bake

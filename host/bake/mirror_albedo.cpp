@@ -1,5 +1,7 @@
 // What single-scattering mirrors keep, over (cos_theta, alpha), and its average: the energies that
-// multiple-scattering compensation fills up.
+// multiple-scattering compensation fills up. And which alpha's lobe has a given variance.
+#include <cmath>
+
 #include "bake/low_rank.h"
 #include "bake/mirror.h"
 
@@ -7,7 +9,7 @@ namespace lacquer::bake {
 
 namespace {
 
-constexpr std::size_t kAlphas = 24, kCosines = 32;
+constexpr std::size_t kAlphas = 24, kCosines = 32, kVariances = 33;
 
 Axis cosine_axis() {
     return {"cos_theta", Mapping::squared, kCosines, 0.0, 1.0, "1"};
@@ -36,6 +38,42 @@ double hemispherical_average(const Eigen::RowVectorXd& values) {
     return sum;
 }
 
+// Per axis of the projected disk, of the lobe D G1 / 4 that GGX mirrors make of light along the
+// normal. Its directions are even in w = 1 - 1 / (1 + tan^2 theta_m / alpha^2).
+double normal_lobe_variance(double alpha) {
+    constexpr int kSteps = 4096;
+    const double alpha2 = alpha * alpha;
+    const double end = 1.0 / (1.0 + alpha2);  // facets of 45 degrees send light along the plane
+    double energy = 0.0, spread = 0.0;
+    for (int n = 0; n < kSteps; ++n) {
+        const double w = end * (n + 0.5) / kSteps;
+        const double tan2_m = alpha2 * w / (1.0 - w);
+        const double cosine = (1.0 - tan2_m) / (1.0 + tan2_m);
+        const double sine2 = 1.0 - cosine * cosine;
+        const double masking = 2.0 / (1.0 + std::sqrt(1.0 + alpha2 * sine2 / (cosine * cosine)));
+        energy += masking;
+        spread += 0.5 * masking * sine2;
+    }
+    return spread / energy;
+}
+
+// The alpha whose lobe has a given variance, which grows with alpha: by bisection.
+TableArray equivalent_alphas() {
+    const Axis variances{"variance", Mapping::squared,          kVariances,
+                         0.0,        normal_lobe_variance(1.0), "1"};
+    Matrix alphas(static_cast<Eigen::Index>(kVariances), 1);
+    for (std::size_t n = 0; n < kVariances; ++n) {
+        constexpr int kHalvings = 40;
+        double low = 0.0, high = 1.0;
+        for (int halving = 0; halving < kHalvings; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (normal_lobe_variance(middle) < axis_value(variances, n) ? low : high) = middle;
+        }
+        alphas(static_cast<Eigen::Index>(n), 0) = 0.5 * (low + high);
+    }
+    return make_array("equivalent_alpha", {variances, channel_axis("alpha", 1)}, alphas);
+}
+
 std::vector<TableArray> compress(const DenseValues& dense) {
     const Matrix single = to_matrix(dense, kCosines);
     Matrix average(single.rows(), 1);
@@ -43,7 +81,7 @@ std::vector<TableArray> compress(const DenseValues& dense) {
         average(row, 0) = hemispherical_average(single.row(row));
     const Axis one = channel_axis("energy", 1);
     return {make_array("single", {alpha_axis(kAlphas), cosine_axis(), one}, single),
-            make_array("average", {alpha_axis(kAlphas), one}, average)};
+            make_array("average", {alpha_axis(kAlphas), one}, average), equivalent_alphas()};
 }
 
 }  // namespace

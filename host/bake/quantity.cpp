@@ -23,6 +23,7 @@ std::vector<TableBake> all_table_bakes() {
     return {bake_of_t_down(Contrast::thin),
             bake_of_t_down(Contrast::dense),
             bake_of_r_up(),
+            bake_of_multiple(),
             bake_of_conductor(),
             bake_of_tir(),
             bake_of_mirror()};

@@ -59,6 +59,7 @@ std::vector<TableBake> all_table_bakes();
 
 TableBake bake_of_t_down(Contrast contrast);
 TableBake bake_of_r_up();
+TableBake bake_of_multiple();
 TableBake bake_of_conductor();
 TableBake bake_of_tir();
 TableBake bake_of_mirror();

@@ -7,7 +7,11 @@ namespace lacquer::bake {
 
 namespace {
 
-constexpr std::size_t kAlphas = 24, kEtas = 16, kTerms = 6;
+constexpr std::size_t kAlphas = 16, kEtas = 16, kTerms = 6;
+
+std::vector<Axis> axes_of(Contrast contrast) {
+    return {alpha_axis(kAlphas), eta_axis(contrast, kEtas), tau_axis()};
+}
 
 void simulate_node(const Parameters& node, const SobolPoints& points, std::uint64_t seed,
                    std::span<float> values) {
@@ -21,36 +25,23 @@ void simulate_node(const Parameters& node, const SobolPoints& points, std::uint6
     }
 }
 
-void append_arrays(const std::string& prefix, Contrast contrast, const DenseValues& dense,
-                   std::vector<TableArray>& arrays) {
-    const Axis taus = tau_axis();
-    const Matrix values = to_matrix(dense, taus.size);
-    const Matrix absorption = principal_rows(values, kTerms);
-    arrays.push_back(make_array(
-        prefix + "maps",
-        {alpha_axis(kAlphas), eta_axis(contrast, kEtas), channel_axis("absorption", kTerms)},
-        values * absorption.transpose()));
-    arrays.push_back(make_array(prefix + "absorption", {taus, channel_axis("absorption", kTerms)},
-                                absorption.transpose()));
-}
-
 }  // namespace
 
 TableBake bake_of_r_up() {
     std::vector<Quantity> quantities;
     for (const Contrast contrast : {Contrast::thin, Contrast::dense})
         quantities.push_back({contrast == Contrast::thin ? "r_up_thin" : "r_up_dense",
-                              {alpha_axis(kAlphas), eta_axis(contrast, kEtas), tau_axis()},
-                              2,
-                              simulate_node,
+                              axes_of(contrast), 2, simulate_node,
                               [](const EnergyTables& tables, const Parameters& p) {
                                   return tables.r_up_dimming(p[0], p[1], p[2]) - 1.0;
                               }});
     return {"r_up", "R10_bar over its value for a clear medium, less 1", quantities,
             [](const std::vector<DenseValues>& dense) {
                 std::vector<TableArray> arrays;
-                append_arrays("thin_", Contrast::thin, dense[0], arrays);
-                append_arrays("dense_", Contrast::dense, dense[1], arrays);
+                append_factors("thin_", "absorption", axes_of(Contrast::thin), dense[0], kTerms,
+                               arrays);
+                append_factors("dense_", "absorption", axes_of(Contrast::dense), dense[1], kTerms,
+                               arrays);
                 return arrays;
             }};
 }

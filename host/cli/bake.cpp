@@ -36,7 +36,7 @@ struct Preset {
     std::size_t point_samples;  // walks of each
 };
 
-constexpr Preset kDefault{1 << 15, 2000, 1 << 14};
+constexpr Preset kDefault{1 << 14, 2000, 1 << 14};
 constexpr Preset kCoarse{1 << 7, 100, 1 << 10};
 constexpr std::size_t kGridStride = 7;  // of the comparison with the dense bake, which is large
 
@@ -126,7 +126,7 @@ void add_bake_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("bake", "Rebuild the tables by simulation");
     command->add_option("--table", arguments->tables, "Bake this one only (repeatable)")
         ->check(CLI::IsMember(std::vector<std::string>{kTableNames.begin(), kTableNames.end()}));
-    command->add_option("--samples", arguments->samples, "Walks per node [32768; coarse: 128]")
+    command->add_option("--samples", arguments->samples, "Walks per node [16384; coarse: 128]")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 24));
     command->add_option("--seed", arguments->seed, "Seed of all walks [1]");
     command->add_flag("--coarse", arguments->coarse, "Few walks: noisy tables in seconds");

@@ -9,10 +9,10 @@ namespace lacquer {
 
 // Where the nodes of an axis lie. t runs from 0 at the first node to 1 at the last.
 enum class Mapping {
-    index,       // counts channels; not a parameter
-    linear,      // from + (to - from) t
-    squared,     // from + (to - from) t^2: dense near `from`
-    log_bent,    // from * (to / from)^(t (t + 0.02) / 1.02): dense near `from`, a finite slope there
+    index,     // counts channels; not a parameter
+    linear,    // from + (to - from) t
+    squared,   // from + (to - from) t^2: dense near `from`
+    log_bent,  // from * (to / from)^(t (t + 0.02) / 1.02): dense near `from`, a finite slope there
 };
 
 std::string_view mapping_name(Mapping mapping);

@@ -55,6 +55,14 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
     return sum;
 }
 
+// A table of "maps" over (alpha, eta) and "profile" over a coordinate of cos_theta.
+double over_profile(const Table& table, double alpha, double eta, double coordinate) {
+    const Contrast contrast = contrast_of(eta);
+    const double value = dot(over_two(table.array(prefixed(contrast, "maps")), alpha, eta),
+                             over_one(table.array(prefixed(contrast, "profile")), coordinate));
+    return std::clamp(value, 0.0, 1.0);
+}
+
 }  // namespace
 
 EnergyTables::EnergyTables(const std::filesystem::path& folder) : EnergyTables{read_all(folder)} {}
@@ -63,9 +71,13 @@ EnergyTables::EnergyTables(const std::array<Table, kTableNames.size()>& tables)
     : thin_{tables[0], Contrast::thin},
       dense_{tables[1], Contrast::dense},
       r_up_{tables[2]},
-      conductor_{tables[3]},
-      tir_{tables[4]},
-      mirror_{tables[5]} {
+      multiple_{tables[3]},
+      conductor_{tables[4]},
+      tir_{tables[5]},
+      mirror_{tables[6]},
+      multiple_thin_moments_{integrate_profiles(multiple_.array("thin_profile"), Contrast::thin)},
+      multiple_dense_moments_{
+          integrate_profiles(multiple_.array("dense_profile"), Contrast::dense)} {
     for (const Table& table : tables) bytes_ += payload_bytes(table);
 }
 
@@ -120,11 +132,24 @@ double EnergyTables::fgd_conductor(double cos_theta, double alpha, double eta, d
 double EnergyTables::tir(double cos_theta, double alpha, double eta) const {
     require("cos_theta", cos_theta, 0.0, 1.0);
     require_interface(alpha, eta);
+    return over_profile(tir_, alpha, eta, profile_coordinate(cos_theta, eta));
+}
+
+double EnergyTables::fgd_multiple(double cos_theta, double alpha, double eta) const {
+    require("cos_theta", cos_theta, 0.0, 1.0);
+    require_interface(alpha, eta);
+    return over_profile(multiple_, alpha, eta, profile_coordinate(cos_theta, eta));
+}
+
+double EnergyTables::fgd_multiple_average(double alpha, double eta) const {
+    require_interface(alpha, eta);
     const Contrast contrast = contrast_of(eta);
-    const double value = dot(
-        over_two(tir_.array(prefixed(contrast, "maps")), alpha, eta),
-        over_one(tir_.array(prefixed(contrast, "profile")), profile_coordinate(cos_theta, eta)));
-    return std::clamp(value, 0.0, 1.0);
+    const ProfileMoments& moments =
+        contrast == Contrast::thin ? multiple_thin_moments_ : multiple_dense_moments_;
+    const double average =
+        2.0 * dot(over_two(multiple_.array(prefixed(contrast, "maps")), alpha, eta),
+                  energy_moments(moments, eta));
+    return std::max(average, 0.0);
 }
 
 double EnergyTables::mirror_single(double cos_theta, double alpha) const {
@@ -136,6 +161,11 @@ double EnergyTables::mirror_single(double cos_theta, double alpha) const {
 double EnergyTables::mirror_single_average(double alpha) const {
     require("alpha", alpha, 0.0, 1.0);
     return over_one(mirror_.array("average"), alpha).front();
+}
+
+double EnergyTables::equivalent_alpha(double variance) const {
+    require("variance", variance, 0.0, 0.5);
+    return over_one(mirror_.array("equivalent_alpha"), variance).front();
 }
 
 }  // namespace lacquer

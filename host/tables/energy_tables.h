@@ -15,8 +15,8 @@
 namespace lacquer {
 
 // The files, without ".bin", in the order in which they are baked.
-inline constexpr std::array<const char*, 6> kTableNames{"t_down_thin", "t_down_dense", "r_up",
-                                                        "conductor",   "tir",          "mirror"};
+inline constexpr std::array<const char*, 7> kTableNames{
+    "t_down_thin", "t_down_dense", "r_up", "multiple", "conductor", "tir", "mirror"};
 
 class EnergyTables {
  public:
@@ -48,7 +48,14 @@ class EnergyTables {
     // Light arriving at cos_theta from above that is reflected. From below: eta inverted.
     double fgd_dielectric(double cos_theta, double alpha, double eta) const;
 
-    // The same for a conductor of relative index eta + i kappa, eta in [0, 5], kappa in [0, 10].
+    // The part of it that has met more than one facet: what a single-scattering lobe lacks.
+    double fgd_multiple(double cos_theta, double alpha, double eta) const;
+
+    // 2 * integral of fgd_multiple cos dcos over [0, 1].
+    double fgd_multiple_average(double alpha, double eta) const;
+
+    // fgd_dielectric for a conductor of relative index eta + i kappa, eta in [0, 5], kappa in [0,
+    // 10].
     double fgd_conductor(double cos_theta, double alpha, double eta, double kappa) const;
 
     // Mean of 1 - F(eta) over the directions into which GGX mirrors of `alpha` reflect light that
@@ -64,12 +71,17 @@ class EnergyTables {
     // 2 * integral of mirror_single cos dcos over [0, 1].
     double mirror_single_average(double alpha) const;
 
+    // alpha_2+: roughness of the GGX lobe, of light along the normal, that has this variance per
+    // axis of the projected disk; variances of more than a lobe of alpha 1 has give 1.
+    double equivalent_alpha(double variance) const;
+
     // Bytes that shaders keep in memory.
     std::size_t bytes() const { return bytes_; }
 
  private:
     TransmissionTable thin_, dense_;
-    Table r_up_, conductor_, tir_, mirror_;
+    Table r_up_, multiple_, conductor_, tir_, mirror_;
+    ProfileMoments multiple_thin_moments_, multiple_dense_moments_;
     std::size_t bytes_ = 0;
 };
 

@@ -66,7 +66,10 @@ ProfileMoments integrate_profiles(const TableArray& profile, Contrast contrast) 
                                              0.2369268850561891};
     const std::size_t segments = profile.axes[0].size - 1;
     const double step = 1.0 / static_cast<double>(segments);
+    const std::size_t channels = profile.channels();
     ProfileMoments moments;
+    for (auto* polynomials : {&moments.energy, &moments.spread})
+        polynomials->fill(std::vector<double>(channels, 0.0));
     for (std::size_t segment = 0; segment < segments; ++segment) {
         for (std::size_t point = 0; point < kPoints.size(); ++point) {
             const double s = (static_cast<double>(segment) + 0.5 * (1.0 + kPoints[point])) * step;
@@ -75,7 +78,7 @@ ProfileMoments integrate_profiles(const TableArray& profile, Contrast contrast) 
             const Polynomial cos3_dcos = product(product(warp.cosine, warp.cosine), cos_dcos);
             const std::vector<double> values = profile_values(profile, s);
             for (std::size_t power = 0; power < ProfileMoments::kPowers; ++power)
-                for (std::size_t m = 0; m < kProfiles; ++m) {
+                for (std::size_t m = 0; m < channels; ++m) {
                     const double weighted = 0.5 * kWeights[point] * step * values[m];
                     moments.energy[power][m] += weighted * cos_dcos[power];
                     moments.spread[power][m] += weighted * cos3_dcos[power];
@@ -83,6 +86,13 @@ ProfileMoments integrate_profiles(const TableArray& profile, Contrast contrast) 
         }
     }
     return moments;
+}
+
+std::vector<double> energy_moments(const ProfileMoments& moments, double eta) {
+    std::vector<double> energies;
+    for (std::size_t m = 0; m < moments.energy.front().size(); ++m)
+        energies.push_back(polynomial_at(moments.energy, m, critical_cosine(eta)));
+    return energies;
 }
 
 TransmissionProfile::TransmissionProfile(const TableArray& profile, const ProfileMoments& moments,

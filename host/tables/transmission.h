@@ -30,11 +30,15 @@ inline constexpr std::size_t kProducts = 48;  // their sum: channels of "maps"
 // critical cosine (of degree 0 for dense): coefficient of power p of profile m at [p][m].
 struct ProfileMoments {
     static constexpr std::size_t kPowers = 5;
-    using Polynomials = std::array<std::array<double, kProfiles>, kPowers>;
-    Polynomials energy{}, spread{};
+    using Polynomials = std::array<std::vector<double>, kPowers>;
+    Polynomials energy, spread;
 };
 
+// Of the channels of an array over s.
 ProfileMoments integrate_profiles(const TableArray& profile, Contrast contrast);
+
+// The integral of each channel against cos dcos for one interface.
+std::vector<double> energy_moments(const ProfileMoments& moments, double eta);
 
 // T01 at one interface and medium as a function of direction: what shading keeps per colour
 // channel.

@@ -1,0 +1,51 @@
+// What a dielectric interface reflects after more than one facet, over (cos_theta, alpha, eta): the
+// energy that single-scattering lobes lack.
+#include "bake/dielectric.h"
+#include "bake/low_rank.h"
+
+namespace lacquer::bake {
+
+namespace {
+
+constexpr std::size_t kAlphas = 16, kEtas = 16, kCosines = 49, kTerms = 8;
+
+std::vector<Axis> axes_of(Contrast contrast) {
+    return {alpha_axis(kAlphas), eta_axis(contrast, kEtas), profile_axis(kCosines)};
+}
+
+void simulate_node(Contrast contrast, const Parameters& node, const SobolPoints& points,
+                   std::uint64_t seed, std::span<float> values) {
+    const Axis cosines = profile_axis(kCosines);
+    for (std::size_t n = 0; n < kCosines; ++n) {
+        const double cosine = profile_cosine(axis_value(cosines, n), contrast, node[1]);
+        values[n] = static_cast<float>(
+            light_reflected_again(cosine, node[0], node[1], points, mix_bits(seed + n)));
+    }
+}
+
+}  // namespace
+
+TableBake bake_of_multiple() {
+    std::vector<Quantity> quantities;
+    for (const Contrast contrast : {Contrast::thin, Contrast::dense})
+        quantities.push_back({contrast == Contrast::thin ? "multiple_thin" : "multiple_dense",
+                              axes_of(contrast), 2,
+                              [contrast](const Parameters& node, const SobolPoints& points,
+                                         std::uint64_t seed, std::span<float> values) {
+                                  simulate_node(contrast, node, points, seed, values);
+                              },
+                              [contrast](const EnergyTables& tables, const Parameters& p) {
+                                  const double cosine = profile_cosine(p[2], contrast, p[1]);
+                                  return tables.fgd_multiple(cosine, p[0], p[1]);
+                              }});
+    return {
+        "multiple", "light that a dielectric interface reflects after more than one facet",
+        quantities, [](const std::vector<DenseValues>& dense) {
+            std::vector<TableArray> arrays;
+            append_factors("thin_", "profile", axes_of(Contrast::thin), dense[0], kTerms, arrays);
+            append_factors("dense_", "profile", axes_of(Contrast::dense), dense[1], kTerms, arrays);
+            return arrays;
+        }};
+}
+
+}  // namespace lacquer::bake
