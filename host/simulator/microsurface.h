@@ -65,13 +65,13 @@ inline Vec3 mirrored(const Vec3& w) {
     return {w.x, w.y, -w.z};
 }
 
-// Dielectric facets of eta 1 do nothing, however many a grazing ray meets.
-inline Crossing unchanged(const Vec3& direction) {
-    return {direction, Vec3{1.0}, 0, direction.z < 0.0, false};
-}
-
 // A ray that arrives at the top of the side it comes from.
 SurfaceRay arriving(const Vec3& direction);
+
+// Dielectric facets of eta 1 do nothing, however many a grazing ray meets.
+inline Crossing unchanged(const SurfaceRay& ray) {
+    return {ray.below ? mirrored(ray.direction) : ray.direction, Vec3{1.0}, 0, !ray.below, false};
+}
 
 // Turns a ray by a facet, which may send it to the other side. False: its light is all absorbed.
 bool turn(SurfaceRay& ray, Vec3& weight, const FacetStratum& stratum, RandomStream& random);
@@ -79,8 +79,8 @@ bool turn(SurfaceRay& ray, Vec3& weight, const FacetStratum& stratum, RandomStre
 template <typename OnFacet>
 Crossing SurfaceWalk::cross(const Vec3& direction, RandomStream& random, int max_order,
                             const OnFacet& on_facet) const {
-    if (index_matched_) return unchanged(direction);
     SurfaceRay ray = arriving(direction);
+    if (index_matched_) return unchanged(ray);
     Crossing crossing;
     while (const FacetStratum* stratum = side(ray.below).fly(ray.direction, ray.z, random)) {
         crossing.lost = crossing.order == max_order;

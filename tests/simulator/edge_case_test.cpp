@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "simulator/albedo.h"
+#include "simulator/interface.h"
 #include "simulator/stack.h"
 
 namespace lacquer::simulator {
@@ -84,6 +85,16 @@ TEST(EdgeCases, AllLightComesBackThroughEveryLosslessMedium) {
                     estimate_albedo(StackWalk{material}, cosine, {1'000, 3, {}});
                 EXPECT_NEAR(result.total.mean[0], 1.0, kRounding) << g << " " << thickness;
             }
+}
+
+TEST(EdgeCases, InterfaceOfEqualIndicesDoesNothingFromAnyDirection) {
+    for (const double alpha : {0.0, 0.7})
+        for (const double cosine : {1.0, 1e-9, 0.0}) {
+            const InterfaceEstimate result =
+                estimate_interface({Ndf::ggx, alpha, alpha}, 1.0, 1.0, cosine, {1'000, 6, {}});
+            EXPECT_EQ(result.t_down.mean, 1.0) << cosine;
+            EXPECT_EQ(result.t_up.mean, 1.0) << cosine;
+        }
 }
 
 TEST(EdgeCases, OpaqueMediumHidesTheBase) {
