@@ -33,7 +33,7 @@ void add_commands(CLI::App& app) {
 }
 
 int report(int code, const char* message) {
-    fmt::print(stderr, "lacquer: {}\n", message);
+    std::fputs(fmt::format("lacquer: {}\n", message).c_str(), stderr);
     return code;
 }
 
@@ -55,7 +55,7 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error) {
     } else {
         command += " " + app.get_subcommands().front()->get_name();
     }
-    fmt::print(stderr, "lacquer: {}\nSee '{} --help'.\n", message, command);
+    std::fputs(fmt::format("lacquer: {}\nSee '{} --help'.\n", message, command).c_str(), stderr);
     return kUsage;
 }
 

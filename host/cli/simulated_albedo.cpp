@@ -25,12 +25,16 @@ std::string color(const Rgb& c) {
     return fmt::format("{:.5f} {:.5f} {:.5f}", c[0], c[1], c[2]);
 }
 
+std::string error(const Rgb& c) {
+    return fmt::format("{:#.2g} {:#.2g} {:#.2g}", c[0], c[1], c[2]);
+}
+
 std::string table_text(const std::vector<Row>& rows) {
     std::vector<std::vector<std::string>> cells;
     for (const auto& [cosine, albedo] : rows)
         cells.push_back({fmt::format("{}", cosine), color(albedo.direct.mean),
                          color(albedo.base.mean), color(albedo.transmitted.mean),
-                         color(albedo.total.mean), color(albedo.total.standard_error)});
+                         color(albedo.total.mean), error(albedo.total.standard_error)});
     return format_table({{"cos", Align::right},
                          {"direct"},
                          {"base"},

@@ -55,7 +55,7 @@ Progress::Progress(std::string label, std::uint64_t total)
       next_draw_{start_ + (terminal_ ? Clock::duration{kQuietTime} : Clock::duration{kLineTime})} {}
 
 Progress::~Progress() {
-    if (drawn_ && terminal_) fmt::print(stderr, "\r\x1b[K");
+    if (drawn_ && terminal_) std::fputs("\r\x1b[K", stderr);
 }
 
 void Progress::advance(std::uint64_t steps) {
@@ -78,10 +78,8 @@ void Progress::draw() {
     const double elapsed_s = std::chrono::duration<double>(now - start_).count();
     const std::size_t width = terminal_ ? terminal_width() - 1 : kDefaultWidth;
     const std::string line = progress_line(label_, done_, total_, elapsed_s, note_, width);
-    if (terminal_)
-        fmt::print(stderr, "\r{}\x1b[K", line);
-    else
-        fmt::print(stderr, "{}\n", line);
+    const std::string text = terminal_ ? "\r" + line + "\x1b[K" : line + "\n";
+    std::fputs(text.c_str(), stderr);  // where stderr is closed, the work goes on all the same
     std::fflush(stderr);
 }
 

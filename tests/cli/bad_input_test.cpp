@@ -191,6 +191,16 @@ TEST(BadOutput, AFullDiskIsAFailure) {
     EXPECT_THAT(result.err, ::testing::HasSubstr("standard output"));
 }
 
+TEST(BadOutput, AClosedStandardErrorChangesNoExitCode) {
+    const auto exit_code = [](const std::string& arguments) {
+        const std::string program = std::string{"'"} + LACQUER_PROGRAM + "' ";
+        return run_process("/bin/sh", {"-c", program + arguments + " 2>&-"}).exit_code;
+    };
+    EXPECT_EQ(exit_code("albedo --material gold --cos 1"), 0);
+    EXPECT_EQ(exit_code("albedo --material gold --cos 2"), kUsage);
+    EXPECT_EQ(exit_code("albedo"), kUsage);
+}
+
 class BadQueries : public ::testing::Test {
  protected:
     ProcessResult evaluate(const std::string& csv) {
