@@ -31,10 +31,6 @@ Facets facets_of(const Material& material, const Roughness& roughness, std::stri
             std::max(microsurface.alpha[1], kMinAlpha)};
 }
 
-glm::dvec3 vector_of(const Rgb& rgb) {
-    return {rgb[0], rgb[1], rgb[2]};
-}
-
 void prepare_base(const Material& material, PlainSurface& surface) {
     if (const auto* lambertian = std::get_if<LambertianBase>(&material.base))
         surface.albedo = vector_of(lambertian->albedo);
@@ -56,14 +52,6 @@ glm::dvec3 fresnel_rgb(const PlainConductor& conductor, double cos_theta) {
             fresnel(cos_theta, conductor.eta[2])};
 }
 
-double mean(const glm::dvec3& rgb) {
-    return (rgb.x + rgb.y + rgb.z) / 3.0;
-}
-
-bool is_above(const glm::dvec3& w) {
-    return w.z > 0.0;
-}
-
 // Less than this is the rounding of Fresnel's formulas where the exact value is 0.
 constexpr double kNoReflectance = 1e-20;
 
@@ -76,13 +64,6 @@ double coat_choice(const PlainSurface& surface, const glm::dvec3& wo) {
         surface.albedo ? mean(*surface.albedo) : mean(fresnel_rgb(*surface.conductor, wo.z));
     if (coat + base < kNoReflectance) return kMinChoice;
     return std::clamp(coat / (coat + base), kMinChoice, 1.0 - kMinChoice);
-}
-
-// Malley's method: a uniform point of the unit disk, lifted to the hemisphere.
-glm::dvec3 sample_cosine(const glm::dvec2& u) {
-    const double radius = std::sqrt(u.x);
-    const double phi = 2.0 * pi * u.y;
-    return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::max(1.0 - u.x, 0.0))};
 }
 
 glm::dvec3 sample_direction(const PlainSurface& surface, const glm::dvec3& wo,

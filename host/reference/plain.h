@@ -9,15 +9,9 @@
 
 #include "lacquer/material.h"
 #include "reference/facets.h"
+#include "reference/shading.h"
 
 namespace lacquer::reference {
-
-// Roughnesses below this are shaded at this: a narrower lobe has no width a renderer could sample.
-inline constexpr double kMinAlpha = 1e-3;
-
-// A lobe is chosen at least this often by `sample`, so that no weight grows beyond ten times its
-// own.
-inline constexpr double kMinChoice = 0.1;
 
 // The top interface, seen from the exterior.
 struct PlainCoat {
@@ -36,18 +30,6 @@ struct PlainSurface {
     std::optional<PlainCoat> coat;
     std::optional<glm::dvec3> albedo;  // a Lambertian base
     std::optional<PlainConductor> conductor;
-};
-
-struct Sample {
-    glm::dvec3 wi{0.0, 0.0, 1.0};
-    glm::dvec3 weight{0.0};  // f cos_theta_i / pdf; 0 where wi is below the surface
-    double pdf = 0.0;        // per solid angle; 0 where wi is below the surface
-};
-
-// Directional albedo, split by where the light turned back.
-struct Albedo {
-    glm::dvec3 direct{0.0};  // never reached the base
-    glm::dvec3 base{0.0};
 };
 
 // What `plain` takes from a material: layers below the first and all media are not transported, and
