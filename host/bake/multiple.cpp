@@ -2,12 +2,13 @@
 // energy that single-scattering lobes lack.
 #include "bake/dielectric.h"
 #include "bake/low_rank.h"
+#include "bake/polynomial_fit.h"
 
 namespace lacquer::bake {
 
 namespace {
 
-constexpr std::size_t kAlphas = 16, kEtas = 16, kCosines = 49, kTerms = 8;
+constexpr std::size_t kAlphas = 16, kEtas = 16, kCosines = 49, kTerms = 6;
 
 std::vector<Axis> axes_of(Contrast contrast) {
     return {alpha_axis(kAlphas), eta_axis(contrast, kEtas), profile_axis(kCosines)};
@@ -21,6 +22,22 @@ void simulate_node(Contrast contrast, const Parameters& node, const SobolPoints&
         values[n] = static_cast<float>(
             light_reflected_again(cosine, node[0], node[1], points, mix_bits(seed + n)));
     }
+}
+
+void append_side(const std::string& name, Contrast contrast, Side side, const DenseValues& dense,
+                 std::vector<TableArray>& arrays) {
+    std::vector<Axis> axes = axes_of(contrast);
+    axes.back() = channel_axis("coefficient", kTerms);
+    arrays.push_back(make_array(
+        name, axes, fit_polynomials(to_matrix(dense, kCosines), contrast, side, kTerms)));
+}
+
+std::vector<TableArray> compress(const std::vector<DenseValues>& dense) {
+    std::vector<TableArray> arrays;
+    append_side("thin_below", Contrast::thin, Side::below, dense[0], arrays);
+    append_side("thin_above", Contrast::thin, Side::above, dense[0], arrays);
+    append_side("dense_above", Contrast::dense, Side::above, dense[1], arrays);
+    return arrays;
 }
 
 }  // namespace
@@ -38,14 +55,8 @@ TableBake bake_of_multiple() {
                                   const double cosine = profile_cosine(p[2], contrast, p[1]);
                                   return tables.fgd_multiple(cosine, p[0], p[1]);
                               }});
-    return {
-        "multiple", "light that a dielectric interface reflects after more than one facet",
-        quantities, [](const std::vector<DenseValues>& dense) {
-            std::vector<TableArray> arrays;
-            append_factors("thin_", "profile", axes_of(Contrast::thin), dense[0], kTerms, arrays);
-            append_factors("dense_", "profile", axes_of(Contrast::dense), dense[1], kTerms, arrays);
-            return arrays;
-        }};
+    return {"multiple", "light that a dielectric interface reflects after more than one facet",
+            quantities, compress};
 }
 
 }  // namespace lacquer::bake

@@ -1,8 +1,10 @@
 // T01 over (cos_theta, alpha, eta, tau): its dense bake and its compression.
-// Based on: de Dinechin and Belcour 2022, section 4. Differs: the cosine axis follows the critical
-// angle, and of the products of basis functions only those that carry energy are kept.
+// Based on: de Dinechin and Belcour 2022, section 4. Differs: principal components for tau alone,
+// and polynomials to both sides of the critical angle for cos_theta, which shading evaluates
+// without reading a table and whose integrals are known.
 #include "bake/dielectric.h"
 #include "bake/low_rank.h"
+#include "bake/polynomial_fit.h"
 
 namespace lacquer::bake {
 
@@ -15,7 +17,7 @@ Axis t_down_alphas() {
     return alpha_axis(16);
 }
 Axis t_down_etas(Contrast contrast) {
-    return eta_axis(contrast, contrast == Contrast::thin ? 28 : 16);
+    return eta_axis(contrast, contrast == Contrast::thin ? 24 : 16);
 }
 
 // Histogram nodes (rows) to transmittances of media (columns).
@@ -52,16 +54,6 @@ void simulate_node(Contrast contrast, const Parameters& node, const SobolPoints&
     }
 }
 
-// Weights of the cosine axis's nodes, which crowd where the mapping is flat.
-Eigen::VectorXd cosine_weights(Contrast contrast) {
-    if (contrast == Contrast::dense) return node_weights(kCosines);
-    Eigen::VectorXd weights(static_cast<Eigen::Index>(kCosines));
-    const Eigen::VectorXd side = node_weights(kCosines / 2 + 1);
-    for (Eigen::Index n = 0; n < weights.size(); ++n)
-        weights[n] = side[std::abs(n - static_cast<Eigen::Index>(kCosines / 2))];
-    return weights;
-}
-
 // What the errors at each node count for.
 struct NodeWeights {
     Eigen::VectorXd by_node, by_cosine;  // by_node: over (alpha, eta)
@@ -72,7 +64,7 @@ NodeWeights weights_of(Contrast contrast) {
     const Matrix nodes =
         node_weights(t_down_alphas().size) * node_weights(t_down_etas(contrast).size).transpose();
     NodeWeights weights{Eigen::Map<const Eigen::VectorXd>(nodes.data(), nodes.size()),
-                        cosine_weights(contrast), node_weights(tau_axis().size)};
+                        profile_weights(contrast, kCosines), node_weights(tau_axis().size)};
     // Clear media are the rule, and every other energy of an interface derives from them.
     constexpr double kClear = 2.0;
     weights.by_tau[0] *= kClear;
@@ -88,27 +80,25 @@ Matrix weighted_values(const DenseValues& dense, const NodeWeights& weights) {
     return values * weights.by_tau.asDiagonal();
 }
 
-// From rows (alpha, eta, s) and columns k to rows (alpha, eta, k) and columns s.
-Matrix along_cosine(const Matrix& by_absorption, Eigen::Index cosines) {
-    const Eigen::Index nodes = by_absorption.rows() / cosines, count = by_absorption.cols();
-    Matrix result(nodes * count, cosines);
+// The factor of function k of tau: rows (alpha, eta), columns s.
+Matrix factor_of(const Matrix& by_absorption, Eigen::Index k, const NodeWeights& weights) {
+    const Eigen::Index nodes = weights.by_node.size(), cosines = weights.by_cosine.size();
+    Matrix factor(nodes, cosines);
     for (Eigen::Index node = 0; node < nodes; ++node)
-        result.middleRows(node * count, count) =
-            by_absorption.middleRows(node * cosines, cosines).transpose();
-    return result;
+        factor.row(node) = by_absorption.col(k).segment(node * cosines, cosines).transpose() /
+                           weights.by_node[node];
+    return factor * weights.by_cosine.cwiseInverse().asDiagonal();
 }
 
-// The kept coefficients of every node, from rows (alpha, eta, k) and columns m.
-Matrix kept_products(const Matrix& coefficients, const Eigen::VectorXd& by_node) {
-    Matrix maps(by_node.size(), static_cast<Eigen::Index>(kProducts));
-    for (Eigen::Index node = 0; node < maps.rows(); ++node) {
-        Eigen::Index column = 0;
-        for (std::size_t k = 0; k < kAbsorptions; ++k)
-            for (std::size_t m = 0; m < kProfilesOf[k]; ++m)
-                maps(node, column++) = coefficients(node * static_cast<Eigen::Index>(kAbsorptions) +
-                                                        static_cast<Eigen::Index>(k),
-                                                    static_cast<Eigen::Index>(m)) /
-                                       by_node[node];
+// Coefficients of all factors to one side, by coefficient_counts.
+Matrix fit_side(const std::vector<Matrix>& factors, Contrast contrast, Side side) {
+    const CoefficientCounts& counts = coefficient_counts(contrast);
+    Matrix maps(factors.front().rows(), static_cast<Eigen::Index>(coefficient_channels(contrast)));
+    Eigen::Index column = 0;
+    for (std::size_t k = 0; k < kAbsorptions; ++k) {
+        const Matrix fitted = fit_polynomials(factors[k], contrast, side, counts[k]);
+        maps.middleCols(column, fitted.cols()) = fitted;
+        column += fitted.cols();
     }
     return maps;
 }
@@ -117,18 +107,22 @@ std::vector<TableArray> compress(Contrast contrast, const DenseValues& dense) {
     const NodeWeights weights = weights_of(contrast);
     const Matrix values = weighted_values(dense, weights);
     Matrix absorption = principal_rows(values, kAbsorptions);
-    const Matrix rows = along_cosine(values * absorption.transpose(), weights.by_cosine.size());
-    Matrix profile = principal_rows(rows, kProfiles);
-    const Matrix maps = kept_products(rows * profile.transpose(), weights.by_node);
+    const Matrix by_absorption = values * absorption.transpose();
     absorption.array().rowwise() /= weights.by_tau.transpose().array();
-    profile.array().rowwise() /= weights.by_cosine.transpose().array();
-    return {make_array("maps",
-                       {t_down_alphas(), t_down_etas(contrast), channel_axis("product", kProducts)},
-                       maps),
-            make_array("profile", {profile_axis(kCosines), channel_axis("profile", kProfiles)},
-                       profile.transpose()),
-            make_array("absorption", {tau_axis(), channel_axis("absorption", kAbsorptions)},
-                       absorption.transpose())};
+    std::vector<Matrix> factors;
+    for (std::size_t k = 0; k < kAbsorptions; ++k)
+        factors.push_back(factor_of(by_absorption, static_cast<Eigen::Index>(k), weights));
+
+    const std::vector<Axis> axes{t_down_alphas(), t_down_etas(contrast),
+                                 channel_axis("coefficient", coefficient_channels(contrast))};
+    std::vector<TableArray> arrays;
+    if (contrast == Contrast::thin)
+        arrays.push_back(make_array("below", axes, fit_side(factors, contrast, Side::below)));
+    arrays.push_back(make_array("above", axes, fit_side(factors, contrast, Side::above)));
+    arrays.push_back(make_array("absorption",
+                                {tau_axis(), channel_axis("absorption", kAbsorptions)},
+                                absorption.transpose()));
+    return arrays;
 }
 
 }  // namespace

@@ -11,15 +11,15 @@ constexpr std::size_t kStride = 97;  // of the nodes looked at: a thousandth of 
 using Tables = std::array<Table, kTableNames.size()>;
 
 // The table with the coefficients of all but the first functions set to 0.
-Table truncated(Table table, std::size_t absorptions, std::size_t profiles) {
+Table truncated(Table table, Contrast contrast, std::size_t absorptions, std::size_t polynomials) {
+    const CoefficientCounts& counts = coefficient_counts(contrast);
     for (TableArray& array : table.arrays) {
-        if (array.name != "maps") continue;
-        for (std::size_t node = 0; node < array.values.size(); node += kProducts) {
-            std::size_t product = node;
+        if (array.name == "absorption") continue;
+        std::size_t index = 0;
+        while (index < array.values.size())
             for (std::size_t k = 0; k < kAbsorptions; ++k)
-                for (std::size_t m = 0; m < kProfilesOf[k]; ++m, ++product)
-                    if (k >= absorptions || m >= profiles) array.values[product] = 0.0;
-        }
+                for (std::size_t n = 0; n < counts[k]; ++n, ++index)
+                    if (k >= absorptions || n >= polynomials) array.values[index] = 0.0;
     }
     return table;
 }
@@ -28,18 +28,19 @@ Table truncated(Table table, std::size_t absorptions, std::size_t profiles) {
 
 std::vector<Truncation> truncation_errors(const Tables& tables, std::size_t index,
                                           const Quantity& quantity, const DenseValues& dense) {
-    const auto record = [&](std::size_t absorptions, std::size_t profiles, Truncation& result) {
+    const Contrast contrast = index == 0 ? Contrast::thin : Contrast::dense;
+    const auto record = [&](std::size_t absorptions, std::size_t polynomials, Truncation& result) {
         Tables changed = tables;
-        changed[index] = truncated(tables[index], absorptions, profiles);
+        changed[index] = truncated(tables[index], contrast, absorptions, polynomials);
         const ErrorSummary errors = judge_on_grid(quantity, dense, EnergyTables{changed}, kStride);
         result.mean.push_back(errors.mean);
         result.p99.push_back(errors.p99);
     };
     const std::string name = index == 0 ? "T01, eta < 1: " : "T01, eta >= 1: ";
     Truncation of_tau{name + "functions of tau", {}, {}};
-    for (std::size_t n = 1; n <= kAbsorptions; ++n) record(n, kProfiles, of_tau);
-    Truncation of_cosine{name + "functions of cos_theta", {}, {}};
-    for (std::size_t n = 1; n <= kProfiles; ++n) record(kAbsorptions, n, of_cosine);
+    for (std::size_t n = 1; n <= kAbsorptions; ++n) record(n, kCoefficients, of_tau);
+    Truncation of_cosine{name + "polynomials of cos_theta", {}, {}};
+    for (std::size_t n = 1; n <= kCoefficients; ++n) record(kAbsorptions, n, of_cosine);
     return {of_tau, of_cosine};
 }
 

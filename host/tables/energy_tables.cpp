@@ -55,12 +55,11 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
     return sum;
 }
 
-// A table of "maps" over (alpha, eta) and "profile" over a coordinate of cos_theta.
-double over_profile(const Table& table, double alpha, double eta, double coordinate) {
-    const Contrast contrast = contrast_of(eta);
-    const double value = dot(over_two(table.array(prefixed(contrast, "maps")), alpha, eta),
-                             over_one(table.array(prefixed(contrast, "profile")), coordinate));
-    return std::clamp(value, 0.0, 1.0);
+Coefficients coefficients_of(const TableArray& array, double alpha, double eta) {
+    Coefficients coefficients{};
+    const std::vector<double> channels = over_two(array, alpha, eta);
+    std::copy_n(channels.begin(), std::min(channels.size(), kCoefficients), coefficients.begin());
+    return coefficients;
 }
 
 }  // namespace
@@ -74,10 +73,7 @@ EnergyTables::EnergyTables(const std::array<Table, kTableNames.size()>& tables)
       multiple_{tables[3]},
       conductor_{tables[4]},
       tir_{tables[5]},
-      mirror_{tables[6]},
-      multiple_thin_moments_{integrate_profiles(multiple_.array("thin_profile"), Contrast::thin)},
-      multiple_dense_moments_{
-          integrate_profiles(multiple_.array("dense_profile"), Contrast::dense)} {
+      mirror_{tables[6]} {
     for (const Table& table : tables) bytes_ += payload_bytes(table);
 }
 
@@ -132,24 +128,30 @@ double EnergyTables::fgd_conductor(double cos_theta, double alpha, double eta, d
 double EnergyTables::tir(double cos_theta, double alpha, double eta) const {
     require("cos_theta", cos_theta, 0.0, 1.0);
     require_interface(alpha, eta);
-    return over_profile(tir_, alpha, eta, profile_coordinate(cos_theta, eta));
+    const Contrast contrast = contrast_of(eta);
+    const double value = dot(
+        over_two(tir_.array(prefixed(contrast, "maps")), alpha, eta),
+        over_one(tir_.array(prefixed(contrast, "profile")), profile_coordinate(cos_theta, eta)));
+    return std::clamp(value, 0.0, 1.0);
+}
+
+DirectionPolynomial EnergyTables::fgd_multiple_profile(double alpha, double eta) const {
+    require_interface(alpha, eta);
+    const Contrast contrast = contrast_of(eta);
+    DirectionPolynomial polynomial{critical_cosine(eta), {}, {}};
+    polynomial.above = coefficients_of(multiple_.array(prefixed(contrast, "above")), alpha, eta);
+    if (contrast == Contrast::thin)
+        polynomial.below = coefficients_of(multiple_.array("thin_below"), alpha, eta);
+    return polynomial;
 }
 
 double EnergyTables::fgd_multiple(double cos_theta, double alpha, double eta) const {
     require("cos_theta", cos_theta, 0.0, 1.0);
-    require_interface(alpha, eta);
-    return over_profile(multiple_, alpha, eta, profile_coordinate(cos_theta, eta));
+    return std::clamp(fgd_multiple_profile(alpha, eta).at(cos_theta), 0.0, 1.0);
 }
 
 double EnergyTables::fgd_multiple_average(double alpha, double eta) const {
-    require_interface(alpha, eta);
-    const Contrast contrast = contrast_of(eta);
-    const ProfileMoments& moments =
-        contrast == Contrast::thin ? multiple_thin_moments_ : multiple_dense_moments_;
-    const double average =
-        2.0 * dot(over_two(multiple_.array(prefixed(contrast, "maps")), alpha, eta),
-                  energy_moments(moments, eta));
-    return std::max(average, 0.0);
+    return std::max(2.0 * fgd_multiple_profile(alpha, eta).energy(), 0.0);
 }
 
 double EnergyTables::mirror_single(double cos_theta, double alpha) const {

@@ -48,7 +48,10 @@ class EnergyTables {
     // Light arriving at cos_theta from above that is reflected. From below: eta inverted.
     double fgd_dielectric(double cos_theta, double alpha, double eta) const;
 
-    // The part of it that has met more than one facet: what a single-scattering lobe lacks.
+    // The part of it that has met more than one facet, which a single-scattering lobe lacks, as a
+    // function of direction: for shading that meets one interface with many lights.
+    DirectionPolynomial fgd_multiple_profile(double alpha, double eta) const;
+
     double fgd_multiple(double cos_theta, double alpha, double eta) const;
 
     // 2 * integral of fgd_multiple cos dcos over [0, 1].
@@ -81,7 +84,6 @@ class EnergyTables {
  private:
     TransmissionTable thin_, dense_;
     Table r_up_, multiple_, conductor_, tir_, mirror_;
-    ProfileMoments multiple_thin_moments_, multiple_dense_moments_;
     std::size_t bytes_ = 0;
 };
 

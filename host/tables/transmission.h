@@ -4,64 +4,58 @@
 //           section 4 (the compression), Eq. 3 (the energies)
 //
 //   T01(cos_theta, alpha, eta, tau) =
-//       sum over k, m < kProfilesOf[k] of maps_km(alpha, eta) absorption_k(tau) profile_m(s)
+//       sum over k, n of maps_kn(alpha, eta) absorption_k(tau) T_n(x(cos_theta, eta))
 //
-// with s of tables/profile.h. Averages over cosine-weighted directions are integrals of this sum,
-// so that they agree with it whatever the compression.
+// with the polynomials of tables/polynomial.h. Averages over cosine-weighted directions are
+// integrals of this sum, so that they agree with it whatever the compression.
 #pragma once
 
 #include <array>
-#include <vector>
 
+#include "tables/polynomial.h"
 #include "tables/profile.h"
 #include "tables/table.h"
 
 namespace lacquer {
 
 inline constexpr std::size_t kAbsorptions = 5;  // functions of tau
-inline constexpr std::size_t kProfiles = 12;    // functions of s
 
-// The functions of s that each function of tau is multiplied with: the other products carry next to
-// nothing.
-inline constexpr std::array<std::size_t, kAbsorptions> kProfilesOf{12, 12, 10, 8, 6};
-inline constexpr std::size_t kProducts = 48;  // their sum: channels of "maps"
+// Polynomials that each function of tau is multiplied with, to each side of the critical angle.
+using CoefficientCounts = std::array<std::size_t, kAbsorptions>;
+inline constexpr CoefficientCounts kThinCoefficients{8, 8, 6, 6, 4};
+inline constexpr CoefficientCounts kDenseCoefficients{8, 8, 8, 8, 8};
 
-// Integrals of each profile against cos dcos and cos^3 dcos over [0, 1], as polynomials of the
-// critical cosine (of degree 0 for dense): coefficient of power p of profile m at [p][m].
-struct ProfileMoments {
-    static constexpr std::size_t kPowers = 5;
-    using Polynomials = std::array<std::vector<double>, kPowers>;
-    Polynomials energy, spread;
-};
+constexpr const CoefficientCounts& coefficient_counts(Contrast contrast) {
+    return contrast == Contrast::thin ? kThinCoefficients : kDenseCoefficients;
+}
 
-// Of the channels of an array over s.
-ProfileMoments integrate_profiles(const TableArray& profile, Contrast contrast);
-
-// The integral of each channel against cos dcos for one interface.
-std::vector<double> energy_moments(const ProfileMoments& moments, double eta);
+// Channels of an array of coefficients: their sum.
+constexpr std::size_t coefficient_channels(Contrast contrast) {
+    std::size_t sum = 0;
+    for (const std::size_t count : coefficient_counts(contrast)) sum += count;
+    return sum;
+}
 
 // T01 at one interface and medium as a function of direction: what shading keeps per colour
 // channel.
 class TransmissionProfile {
  public:
-    TransmissionProfile(const TableArray& profile, const ProfileMoments& moments, double eta,
-                        const std::array<double, kProfiles>& weights);
+    explicit TransmissionProfile(const DirectionPolynomial& polynomial) : polynomial_{polynomial} {}
 
     // cos_theta in [0, 1].
     double at(double cos_theta) const;
 
-    // 2 * integral of at(cos) cos dcos: light arriving from everywhere.
+    // 2 * integral of T01(cos) cos dcos: light arriving from everywhere.
     double average() const;
 
-    // Per axis of the projected disk, of light distributed as at(cos) cos over the hemisphere; 0
+    // Per axis of the projected disk, of light distributed as T01(cos) cos over the hemisphere; 0
     // where no light gets through.
     double variance() const;
 
+    const DirectionPolynomial& polynomial() const { return polynomial_; }
+
  private:
-    const TableArray* profile_;
-    double eta_;
-    std::array<double, kProfiles> weights_;
-    double energy_ = 0.0, spread_ = 0.0;
+    DirectionPolynomial polynomial_;
 };
 
 // One of the two tables of T01.
@@ -73,8 +67,8 @@ class TransmissionTable {
     TransmissionProfile profile(double alpha, double eta, double tau) const;
 
  private:
-    TableArray maps_, profile_, absorption_;
-    ProfileMoments moments_;
+    Contrast contrast_;
+    TableArray below_, above_, absorption_;  // `below_` is empty for dense
 };
 
 }  // namespace lacquer
