@@ -14,6 +14,8 @@
 #include "core/sampling.glsl"
 #include "lighting/sphere.glsl"
 #include "lighting/tone_mapping.glsl"
+#include "microsurface/exits.glsl"
+#include "microsurface/mirror_walk.glsl"
 #include "microsurface/walk.glsl"
 
 // Levels:

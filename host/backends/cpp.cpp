@@ -2,7 +2,7 @@
 #include "backends/cpu_job.h"
 #include "backends/entries.h"
 #include "lacquer/bsdf.h"
-#include "shading/interface_walk.h"
+#include "shading/walks.h"
 
 namespace lacquer {
 
@@ -12,14 +12,30 @@ std::string compiler() {
     return "g++ " + std::string{__VERSION__} + ", all cores";
 }
 
-JobResult run_walks(const Job& job) {
+// The kernel's walks of one query; null for kernels that shade.
+using Walk = void (*)(const glm::vec4* inputs, std::uint32_t walk_count, glm::dvec4* results);
+
+Walk walk_of(Kernel kernel) {
+    switch (kernel) {
+        case Kernel::walk:
+            return walk_interface;
+        case Kernel::walk_exits:
+            return walk_exits;
+        case Kernel::walk_orders:
+            return walk_orders;
+        case Kernel::walk_conductors:
+            return walk_conductors;
+        case Kernel::walk_mirror_lobe:
+            return walk_mirror_lobe;
+        default:
+            return nullptr;
+    }
+}
+
+JobResult run_walks(const Job& job, Walk walk) {
     check_job(job);
     return run_queries(job, [&](std::uint64_t, const glm::vec4* inputs, glm::dvec4* results) {
-        const InterfaceSums sums =
-            walk_interface(inputs[0], inputs[1].x, job.parameters.point_count);
-        results[0] = sums.energies;
-        results[1] = sums.squares;
-        results[2] = sums.spread;
+        walk(inputs, job.parameters.point_count, results);
     });
 }
 
@@ -28,7 +44,7 @@ class CppBackend final : public Backend {
     void prepare(Model, Kernel) override {}
 
     JobResult run(const Job& job) override {
-        if (job.kernel == Kernel::walk) return run_walks(job);
+        if (const Walk walk = walk_of(job.kernel)) return run_walks(job, walk);
         return run_on_cpu<float>(job, [&](const Material& material) {
             return lacquer::prepare<float>(material, job.model);
         });

@@ -1,6 +1,7 @@
 // A job on the processor's cores: the kernels of shader_src/kernels as loops.
 #pragma once
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <chrono>
@@ -52,7 +53,12 @@ void run_query(Kernel kernel, const Surface& surface, const KernelParameters& pa
             results[0] = glm::dvec4{glm::vec<4, Real>{inputs[0]} + glm::vec<4, Real>{inputs[1]}};
             break;
         case Kernel::walk:
-            throw Error{"kernel 'walk': no model has it; the simulator is its judge"};
+        case Kernel::walk_exits:
+        case Kernel::walk_orders:
+        case Kernel::walk_conductors:
+        case Kernel::walk_mirror_lobe:
+            throw Error{fmt::format("kernel '{}': no model has it; the simulator is its judge",
+                                    kernel_shape(kernel).name)};
     }
 }
 

@@ -13,9 +13,17 @@ enum class Kernel {
     sample,  // wo, u -> (wi, pdf), (weight, 0)
     albedo,  // wo, with parameters.point_count -> (direct, 0), (base, 0)
     copy,    // two rows -> one; moves the bytes of eval and computes nothing
-    walk,    // an interface and a stream of random numbers, with parameters.point_count -> energies,
-             // squares, spread: see shader_src/kernels/walk.comp; shades no material
+    walk,  // an interface and a stream of random numbers, with parameters.point_count -> energies,
+           // squares, spread: see shader_src/kernels/walk.comp; shades no material
+    // What tables are baked from, see the kernels of these names; no materials either.
+    walk_exits,       // an interface and a stream -> kWalksPerExitQuery times where light left
+    walk_orders,      // an interface and a stream -> light entered, reflected once, reflected again
+    walk_conductors,  // facets, a stream, three etas, three kappas -> light reflected
+    walk_mirror_lobe,  // facets, an interface and a stream -> light reflected, transmitted
 };
+
+// LQ_WALKS_PER_QUERY of shader_src/kernels/walk_exits.comp.
+inline constexpr std::uint32_t kWalksPerExitQuery = 8;
 
 struct KernelShape {
     std::string_view name;
@@ -39,6 +47,14 @@ constexpr KernelShape kernel_shape(Kernel kernel) {
             return {"copy", 2, 1};
         case Kernel::walk:
             return {"walk", 2, 3};
+        case Kernel::walk_exits:
+            return {"walk_exits", 2, kWalksPerExitQuery};
+        case Kernel::walk_orders:
+            return {"walk_orders", 2, 1};
+        case Kernel::walk_conductors:
+            return {"walk_conductors", 4, 1};
+        case Kernel::walk_mirror_lobe:
+            return {"walk_mirror_lobe", 2, 1};
     }
     return {"", 0, 0};
 }

@@ -13,8 +13,9 @@
 namespace lacquer {
 namespace {
 
-constexpr std::uint32_t kWalksPerQuery = 4096;
-constexpr std::uint32_t kQueries = 64;
+// Mesa's software renderers end a shader's loops after 65535 iterations in all.
+constexpr std::uint32_t kWalksPerQuery = 512;
+constexpr std::uint32_t kQueries = 512;
 constexpr double kWalks = double{kWalksPerQuery} * kQueries;
 constexpr double kSuiteSignificance = 0.01;
 
