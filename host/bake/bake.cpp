@@ -23,9 +23,10 @@ std::uint64_t hash_of(std::string_view text) {
     return hash;
 }
 
-std::uint64_t fingerprint_of(const Quantity& quantity, const BakeSettings& settings) {
-    std::string text =
-        fmt::format("{} {} {} v{}", quantity.name, settings.samples, settings.seed, kTableVersion);
+std::uint64_t fingerprint_of(const Quantity& quantity, const Walks& walks,
+                             const BakeSettings& settings) {
+    std::string text = fmt::format("{} {} {} v{}{}", quantity.name, settings.samples, settings.seed,
+                                   kTableVersion, walks.backend());
     for (const Axis& axis : quantity.axes)
         text += fmt::format(" {} {} {} {} {}", axis.name, mapping_name(axis.mapping), axis.size,
                             axis.from, axis.to);
@@ -44,36 +45,45 @@ std::filesystem::path checkpoint_file(const Quantity& quantity, const BakeRun& r
 
 }  // namespace
 
-DenseValues simulate(const Quantity& quantity, const BakeRun& run, const Ranks& ranks) {
+DenseValues simulate(const Quantity& quantity, const Walks& walks, const BakeRun& run,
+                     const Ranks& ranks) {
     const std::size_t width = quantity.values_per_node();
-    const std::uint64_t fingerprint = fingerprint_of(quantity, run.settings);
+    const std::uint64_t fingerprint = fingerprint_of(quantity, walks, run.settings);
     Checkpoint checkpoint{checkpoint_file(quantity, run, ranks), fingerprint, width, run.resume};
-    const SobolPoints points{run.settings.samples};
     DenseValues values(quantity.nodes() * width, 0.0f);
     const std::size_t mine = (quantity.nodes() + ranks.count() - 1 - ranks.rank()) / ranks.count();
     Progress progress{quantity.name, mine};
     const std::span<const Axis> axes = std::span{quantity.axes}.first(quantity.node_axes);
-    tbb::parallel_for(std::size_t{0}, mine, [&](std::size_t index) {
+    const auto bake_node = [&](std::size_t index) {
         const std::size_t node = index * ranks.count() + ranks.rank();
         const std::span<float> out{values.data() + node * width, width};
         if (!checkpoint.restore(node, out)) {
-            quantity.simulate(grid_parameters(axes, node), points,
+            quantity.simulate(grid_parameters(axes, node), walks,
                               mix_bits(fingerprint ^ mix_bits(node + 1)), out);
             checkpoint.record(node, out);
         }
         progress.advance();
-    });
+    };
+    if (walks.concurrent())
+        tbb::parallel_for(std::size_t{0}, mine, bake_node);
+    else
+        for (std::size_t index = 0; index < mine; ++index) bake_node(index);
     ranks.gather(values);
     return values;
 }
 
-BakedTable bake_table(const TableBake& bake, const BakeRun& run, const Ranks& ranks) {
+BakedTable bake_table(const TableBake& bake, const Walks& walks, const BakeRun& run,
+                      const Ranks& ranks) {
     const std::filesystem::path file = run.folder / (bake.name + ".bin");
     require_writable(file);
     BakedTable baked;
     for (const Quantity& quantity : bake.quantities)
-        baked.dense.push_back(simulate(quantity, run, ranks));
-    baked.table = {bake.name, bake.quantity, run.settings.samples, run.settings.seed,
+        baked.dense.push_back(simulate(quantity, walks, run, ranks));
+    baked.table = {bake.name,
+                   bake.quantity,
+                   run.settings.samples,
+                   run.settings.seed,
+                   std::string{walks.backend()},
                    bake.compress(baked.dense)};
     round_to_encoding(baked.table);
     if (ranks.first()) {

@@ -24,11 +24,13 @@ struct BakedTable {
 
 // Simulates the dense grid of one quantity. The same for any number of threads and processes, and
 // for a bake that was resumed. Its checkpoint stays, see discard_checkpoints.
-DenseValues simulate(const Quantity& quantity, const BakeRun& run, const Ranks& ranks);
+DenseValues simulate(const Quantity& quantity, const Walks& walks, const BakeRun& run,
+                     const Ranks& ranks);
 
 // Bakes one table and, in the first process, writes NAME.bin and NAME.exr to the folder. A file
 // that is there stays as it was until the new one is whole.
-BakedTable bake_table(const TableBake& bake, const BakeRun& run, const Ranks& ranks);
+BakedTable bake_table(const TableBake& bake, const Walks& walks, const BakeRun& run,
+                      const Ranks& ranks);
 
 // Deletes the checkpoints of a table: for when nothing is left to be done with any, so that a kill
 // at any time before loses no finished node.

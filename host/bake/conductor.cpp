@@ -22,20 +22,21 @@ Axis kappa_axis() {
     return {"kappa", Mapping::squared, kKappas, 0.0, 10.0, "1"};
 }
 
-const FresnelCurves& curves() {
-    static const FresnelCurves all{kEtas * kKappas, [](std::size_t material, double cosine) {
-                                       return conductor_reflectance(
-                                           cosine,
-                                           axis_value(material_eta_axis(), material / kKappas),
-                                           axis_value(kappa_axis(), material % kKappas));
-                                   }};
+const Conductors& conductors() {
+    static const Conductors all = [] {
+        std::vector<Conductors::Index> indices;
+        for (std::size_t n = 0; n < kEtas * kKappas; ++n)
+            indices.push_back({axis_value(material_eta_axis(), n / kKappas),
+                               axis_value(kappa_axis(), n % kKappas)});
+        return Conductors{std::move(indices)};
+    }();
     return all;
 }
 
-void simulate_node(const Parameters& node, const SobolPoints& points, std::uint64_t seed,
+void simulate_node(const Parameters& node, const Walks& walks, std::uint64_t seed,
                    std::span<float> values) {
     const std::vector<double> reflected =
-        reflected_by_facets(node[1], node[0], curves(), points, seed);
+        walks.reflected_by_conductors(node[1], node[0], conductors(), seed);
     for (std::size_t n = 0; n < reflected.size(); ++n) values[n] = static_cast<float>(reflected[n]);
 }
 

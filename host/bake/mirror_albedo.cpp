@@ -15,9 +15,9 @@ Axis cosine_axis() {
     return {"cos_theta", Mapping::squared, kCosines, 0.0, 1.0, "1"};
 }
 
-void simulate_node(const Parameters& node, const SobolPoints& points, std::uint64_t seed,
+void simulate_node(const Parameters& node, const Walks& walks, std::uint64_t seed,
                    std::span<float> values) {
-    values[0] = static_cast<float>(reflected_once(node[1], node[0], points, seed));
+    values[0] = static_cast<float>(walks.reflected_once(node[1], node[0], seed));
 }
 
 // 2 * integral of a function cos dcos, piecewise linear in sqrt(cos) between the nodes: exact by

@@ -14,14 +14,11 @@ std::vector<Axis> axes_of(Contrast contrast) {
     return {alpha_axis(kAlphas), eta_axis(contrast, kEtas), profile_axis(kCosines)};
 }
 
-void simulate_node(Contrast contrast, const Parameters& node, const SobolPoints& points,
+void simulate_node(Contrast contrast, const Parameters& node, const Walks& walks,
                    std::uint64_t seed, std::span<float> values) {
-    const Axis cosines = profile_axis(kCosines);
-    for (std::size_t n = 0; n < kCosines; ++n) {
-        const double cosine = profile_cosine(axis_value(cosines, n), contrast, node[1]);
-        values[n] = static_cast<float>(
-            light_reflected_again(cosine, node[0], node[1], points, mix_bits(seed + n)));
-    }
+    const std::vector<double> means = walks.light_reflected_again(
+        profile_cosines(kCosines, contrast, node[1]), node[0], node[1], seed);
+    for (std::size_t n = 0; n < kCosines; ++n) values[n] = static_cast<float>(means[n]);
 }
 
 void append_side(const std::string& name, Contrast contrast, Side side, const DenseValues& dense,
@@ -47,9 +44,9 @@ TableBake bake_of_multiple() {
     for (const Contrast contrast : {Contrast::thin, Contrast::dense})
         quantities.push_back({contrast == Contrast::thin ? "multiple_thin" : "multiple_dense",
                               axes_of(contrast), 2,
-                              [contrast](const Parameters& node, const SobolPoints& points,
+                              [contrast](const Parameters& node, const Walks& walks,
                                          std::uint64_t seed, std::span<float> values) {
-                                  simulate_node(contrast, node, points, seed, values);
+                                  simulate_node(contrast, node, walks, seed, values);
                               },
                               [contrast](const EnergyTables& tables, const Parameters& p) {
                                   const double cosine = profile_cosine(p[2], contrast, p[1]);

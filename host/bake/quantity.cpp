@@ -51,6 +51,14 @@ Axis profile_axis(std::size_t size) {
     return {"s", Mapping::linear, size, 0.0, 1.0, "1"};
 }
 
+std::vector<double> profile_cosines(std::size_t size, Contrast contrast, double eta) {
+    const Axis axis = profile_axis(size);
+    std::vector<double> cosines;
+    for (std::size_t n = 0; n < size; ++n)
+        cosines.push_back(profile_cosine(axis_value(axis, n), contrast, eta));
+    return cosines;
+}
+
 Axis channel_axis(std::string name, std::size_t size) {
     return {std::move(name), Mapping::index, size, 0.0, 0.0, "1"};
 }

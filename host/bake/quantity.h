@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bake/sequence.h"
+#include "bake/walks.h"
 #include "tables/energy_tables.h"
 
 namespace lacquer::bake {
@@ -29,7 +29,7 @@ struct Quantity {
     std::size_t node_axes = 2;
 
     // Simulates one node: `node` holds the parameters of the first axes.
-    std::function<void(const Parameters& node, const SobolPoints& points, std::uint64_t seed,
+    std::function<void(const Parameters& node, const Walks& walks, std::uint64_t seed,
                        std::span<float> values)>
         simulate;
 
@@ -69,6 +69,7 @@ Axis alpha_axis(std::size_t size);
 Axis eta_axis(Contrast contrast, std::size_t size);
 Axis tau_axis();
 Axis profile_axis(std::size_t size);
+std::vector<double> profile_cosines(std::size_t size, Contrast contrast, double eta);
 Axis channel_axis(std::string name, std::size_t size);
 
 }  // namespace lacquer::bake

@@ -13,9 +13,9 @@ std::vector<Axis> axes_of(Contrast contrast) {
     return {alpha_axis(kAlphas), eta_axis(contrast, kEtas), tau_axis()};
 }
 
-void simulate_node(const Parameters& node, const SobolPoints& points, std::uint64_t seed,
+void simulate_node(const Parameters& node, const Walks& walks, std::uint64_t seed,
                    std::span<float> values) {
-    const CosineHistogram reflected = light_leaving(node[0], node[1], points, seed).reflected;
+    const CosineHistogram reflected = walks.light_leaving(node[0], node[1], seed).reflected;
     const Axis taus = tau_axis();
     const double clear = reflected.transmitted(1.0);
     for (std::size_t t = 0; t < taus.size; ++t) {

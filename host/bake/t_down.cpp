@@ -37,17 +37,15 @@ const Matrix& absorption_of_nodes() {
     return matrix;
 }
 
-void simulate_node(Contrast contrast, const Parameters& node, const SobolPoints& points,
+void simulate_node(Contrast contrast, const Parameters& node, const Walks& walks,
                    std::uint64_t seed, std::span<float> values) {
     const Matrix& absorption = absorption_of_nodes();
     const auto taus = static_cast<std::size_t>(absorption.cols());
-    const Axis cosines = profile_axis(kCosines);
+    const std::vector<CosineHistogram> entered =
+        walks.light_entering(profile_cosines(kCosines, contrast, node[1]), node[0], node[1], seed);
     for (std::size_t n = 0; n < kCosines; ++n) {
-        const double cosine = profile_cosine(axis_value(cosines, n), contrast, node[1]);
-        const CosineHistogram entered =
-            light_entering(cosine, node[0], node[1], points, mix_bits(seed + n));
         const Eigen::Map<const Eigen::RowVectorXd> light(
-            entered.light.data(), static_cast<Eigen::Index>(entered.light.size()));
+            entered[n].light.data(), static_cast<Eigen::Index>(entered[n].light.size()));
         const Eigen::RowVectorXd transmitted = light * absorption;
         for (std::size_t t = 0; t < taus; ++t)
             values[n * taus + t] = static_cast<float>(transmitted[static_cast<Eigen::Index>(t)]);
@@ -129,17 +127,16 @@ std::vector<TableArray> compress(Contrast contrast, const DenseValues& dense) {
 
 TableBake bake_of_t_down(Contrast contrast) {
     const bool thin = contrast == Contrast::thin;
-    Quantity quantity{thin ? "t_down_thin" : "t_down_dense",
-                      {t_down_alphas(), t_down_etas(contrast), profile_axis(kCosines), tau_axis()},
-                      2,
-                      [contrast](const Parameters& node, const SobolPoints& points,
-                                 std::uint64_t seed, std::span<float> values) {
-                          simulate_node(contrast, node, points, seed, values);
-                      },
-                      [contrast](const EnergyTables& tables, const Parameters& p) {
-                          const double cosine = profile_cosine(p[2], contrast, p[1]);
-                          return tables.t_down(cosine, p[0], p[1], p[3]);
-                      }};
+    Quantity quantity{
+        thin ? "t_down_thin" : "t_down_dense",
+        {t_down_alphas(), t_down_etas(contrast), profile_axis(kCosines), tau_axis()},
+        2,
+        [contrast](const Parameters& node, const Walks& walks, std::uint64_t seed,
+                   std::span<float> values) { simulate_node(contrast, node, walks, seed, values); },
+        [contrast](const EnergyTables& tables, const Parameters& p) {
+            const double cosine = profile_cosine(p[2], contrast, p[1]);
+            return tables.t_down(cosine, p[0], p[1], p[3]);
+        }};
     return {quantity.name,
             thin ? "T01 for eta <= 1: light entering and crossing the medium"
                  : "T01 for eta >= 1: light entering and crossing the medium",

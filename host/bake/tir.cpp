@@ -13,14 +13,11 @@ std::vector<Axis> axes_of(Contrast contrast) {
     return {alpha_axis(kAlphas), eta_axis(contrast, kEtas), profile_axis(kCosines)};
 }
 
-void simulate_node(Contrast contrast, const Parameters& node, const SobolPoints& points,
+void simulate_node(Contrast contrast, const Parameters& node, const Walks& walks,
                    std::uint64_t seed, std::span<float> values) {
-    const Axis cosines = profile_axis(kCosines);
-    for (std::size_t n = 0; n < kCosines; ++n) {
-        const double cosine = profile_cosine(axis_value(cosines, n), contrast, node[1]);
-        values[n] = static_cast<float>(
-            lobe_transmittance(cosine, node[0], node[1], points, mix_bits(seed + n)));
-    }
+    const std::vector<double> transmittances = walks.lobe_transmittances(
+        profile_cosines(kCosines, contrast, node[1]), node[0], node[1], seed);
+    for (std::size_t n = 0; n < kCosines; ++n) values[n] = static_cast<float>(transmittances[n]);
 }
 
 }  // namespace
@@ -30,9 +27,9 @@ TableBake bake_of_tir() {
     for (const Contrast contrast : {Contrast::thin, Contrast::dense})
         quantities.push_back({contrast == Contrast::thin ? "tir_thin" : "tir_dense",
                               axes_of(contrast), 2,
-                              [contrast](const Parameters& node, const SobolPoints& points,
+                              [contrast](const Parameters& node, const Walks& walks,
                                          std::uint64_t seed, std::span<float> values) {
-                                  simulate_node(contrast, node, points, seed, values);
+                                  simulate_node(contrast, node, walks, seed, values);
                               },
                               [contrast](const EnergyTables& tables, const Parameters& p) {
                                   const double cosine = profile_cosine(p[2], contrast, p[1]);

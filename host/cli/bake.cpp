@@ -8,8 +8,10 @@
 #include <memory>
 
 #include "bake/bake.h"
+#include "bake/kernel_walks.h"
 #include "bake/report.h"
 #include "cli/commands.h"
+#include "cli/options.h"
 #include "core/error.h"
 #include "core/file.h"
 
@@ -19,6 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The C++ walks of host/bake, which no backend runs.
+constexpr std::string_view kHost = "host";
+
 struct BakeArguments {
     std::vector<std::string> tables;
     std::uint64_t samples = 0;  // 0: the preset's
@@ -27,6 +32,8 @@ struct BakeArguments {
     bool resume = false;
     std::string report;
     std::string folder = "tables";
+    std::string backend{kHost};
+    BackendOptions backend_options;
 };
 
 // How much is simulated unless asked otherwise.
@@ -45,8 +52,25 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 std::string command_text(const BakeArguments& arguments, std::uint64_t samples) {
-    return fmt::format("lacquer bake{} --samples {} --seed {}", arguments.coarse ? " --coarse" : "",
-                       samples, arguments.seed);
+    std::string text = fmt::format("lacquer bake{} --samples {} --seed {}",
+                                   arguments.coarse ? " --coarse" : "", samples, arguments.seed);
+    if (arguments.backend != kHost) text += " --backend " + arguments.backend;
+    return text;
+}
+
+// What may walk: the host, and the backends that have the kernels.
+std::vector<std::string> walkers() {
+    std::vector<std::string> names{std::string{kHost}};
+    for (const BackendEntry& entry : all_backends())
+        if (entry.name != "reference") names.emplace_back(entry.name);
+    return names;
+}
+
+std::unique_ptr<bake::Walks> open_walks(const BakeArguments& arguments, std::size_t samples) {
+    if (arguments.backend == kHost) return std::make_unique<bake::HostWalks>(samples);
+    const BackendEntry& entry = backend_from_name(arguments.backend);
+    return std::make_unique<bake::KernelWalks>(arguments.backend,
+                                               entry.create(arguments.backend_options), samples);
 }
 
 bool wanted(const BakeArguments& arguments, const std::string& name) {
@@ -100,6 +124,7 @@ void run(const BakeArguments& arguments) {
     if (failure)
         throw Error{fmt::format("making folder '{}': {}", run.folder.string(), failure.message())};
 
+    const std::unique_ptr<bake::Walks> walks = open_walks(arguments, run.settings.samples);
     bake::BakeRecord record;
     record.command = command_text(arguments, run.settings.samples);
     record.settings = run.settings;
@@ -108,7 +133,7 @@ void run(const BakeArguments& arguments) {
     for (bake::TableBake& each : bake::all_table_bakes()) {
         if (!wanted(arguments, each.name)) continue;
         const auto start = std::chrono::steady_clock::now();
-        baked.push_back(bake::bake_table(each, run, ranks));
+        baked.push_back(bake::bake_table(each, *walks, run, ranks));
         record.tables.push_back(
             {each.name, payload_bytes(baked.back().table), seconds_since(start), {}});
         bakes.push_back(std::move(each));
@@ -133,6 +158,12 @@ void add_bake_command(CLI::App& app) {
     command->add_flag("--resume", arguments->resume, "Go on with a bake that was interrupted");
     command->add_option("--report", arguments->report, "Folder for a page of plots, tables.html");
     command->add_option("-o,--output", arguments->folder, "Folder of the tables [tables]");
+    command
+        ->add_option("--backend", arguments->backend,
+                     "What walks: 'host', the low-noise C++ walks, or a backend that runs the "
+                     "shader source's, noisier for the same number [host]")
+        ->check(CLI::IsMember(walkers()));
+    add_device_options(*command, arguments->backend_options);
     command->callback([arguments] { run(*arguments); });
 }
 

@@ -35,6 +35,7 @@ struct Table {
     std::string quantity;       // what the numbers mean, for people
     std::uint64_t samples = 0;  // walks per node of the dense bake
     std::uint64_t seed = 0;
+    std::string backend;  // whose kernels walked; empty for the C++ walks of host/bake
     std::vector<TableArray> arrays;
 
     // Throws Error naming the table and the array that it has not.

@@ -69,11 +69,12 @@ std::string header_text(const Table& table) {
         arrays.push_back(
             {{"name", array.name}, {"encoding", encoding_name(array.encoding)}, {"axes", axes}});
     }
-    const Json header{{"name", table.name},
-                      {"quantity", table.quantity},
-                      {"samples", table.samples},
-                      {"seed", table.seed},
-                      {"arrays", arrays}};
+    Json header{{"name", table.name},
+                {"quantity", table.quantity},
+                {"samples", table.samples},
+                {"seed", table.seed}};
+    if (!table.backend.empty()) header["backend"] = table.backend;
+    header["arrays"] = arrays;
     std::string text = header.dump();
     text.resize((text.size() + kAlignment - 1) / kAlignment * kAlignment, ' ');
     return text;
@@ -140,6 +141,7 @@ class Reader {
             table.quantity = header.at("quantity").get<std::string>();
             table.samples = header.at("samples").get<std::uint64_t>();
             table.seed = header.at("seed").get<std::uint64_t>();
+            table.backend = header.value("backend", std::string{});
             for (const Json& array : header.at("arrays")) table.arrays.push_back(array_of(array));
             return table;
         } catch (const Json::exception& error) {
