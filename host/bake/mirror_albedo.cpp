@@ -1,6 +1,7 @@
 // What single-scattering mirrors keep, over (cos_theta, alpha), and its average: the energies that
 // multiple-scattering compensation fills up. And which alpha's lobe has a given variance.
 #include <cmath>
+#include <numbers>
 
 #include "bake/low_rank.h"
 #include "bake/mirror.h"
@@ -57,10 +58,12 @@ double normal_lobe_variance(double alpha) {
     return spread / energy;
 }
 
+// normal_lobe_variance(1), where the integrals are elementary.
+constexpr double kMaxLobeVariance = 1.0 / (12.0 * (1.0 - std::numbers::ln2));
+
 // The alpha whose lobe has a given variance, which grows with alpha: by bisection.
 TableArray equivalent_alphas() {
-    const Axis variances{"variance", Mapping::squared,          kVariances,
-                         0.0,        normal_lobe_variance(1.0), "1"};
+    const Axis variances{"variance", Mapping::squared, kVariances, 0.0, kMaxLobeVariance, "1"};
     Matrix alphas(static_cast<Eigen::Index>(kVariances), 1);
     for (std::size_t n = 0; n < kVariances; ++n) {
         constexpr int kHalvings = 40;
