@@ -64,7 +64,7 @@ NodeWeights weights_of(Contrast contrast) {
     NodeWeights weights{Eigen::Map<const Eigen::VectorXd>(nodes.data(), nodes.size()),
                         profile_weights(contrast, kCosines), node_weights(tau_axis().size)};
     // Clear media are the rule, and every other energy of an interface derives from them.
-    constexpr double kClear = 2.0;
+    constexpr double kClear = 8.0;
     weights.by_tau[0] *= kClear;
     return weights;
 }
