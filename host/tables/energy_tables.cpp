@@ -12,7 +12,7 @@ namespace lacquer {
 namespace {
 
 constexpr double kMinEta = 0.3333, kMaxEta = 3.0;
-constexpr double kSlack = 1e-9;  // of quotients such as 1 / 3.0
+constexpr double kSlack = 1e-6;  // of quotients and cosines of numbers rounded to float
 
 std::array<Table, kTableNames.size()> read_all(const std::filesystem::path& folder) {
     std::array<Table, kTableNames.size()> tables;

@@ -1,0 +1,61 @@
+#include "reference/coat.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "reference/equivalent_alpha.h"
+#include "reference/fresnel.h"
+#include "reference/reflection.h"
+#include "reference/shading.h"
+
+namespace lacquer::reference {
+
+namespace {
+
+using std::numbers::pi;
+
+// Less than this average is the noise of the tables, whose quotients would gain energy.
+constexpr double kLeastMultipleAverage = 1e-3;
+
+double multiple(const Coat& coat, const glm::dvec3& w) {
+    return coat.tables->fgd_multiple(w.z, coat.alpha, coat.eta);
+}
+
+}  // namespace
+
+Coat prepare_coat(const Microsurface& microsurface, double eta, const EnergyTables& tables) {
+    const double alpha = equivalent_ggx_alpha(microsurface, eta);
+    return {{microsurface.ndf, std::max(microsurface.alpha[0], kMinAlpha),
+             std::max(microsurface.alpha[1], kMinAlpha)},
+            eta,
+            alpha,
+            std::max(tables.fgd_multiple_average(alpha, eta), kLeastMultipleAverage),
+            &tables};
+}
+
+double coat_lobe(const Coat& coat, const glm::dvec3& wi, const glm::dvec3& wo) {
+    const double single =
+        fresnel(cos_theta_halfway(wi, wo), coat.eta) * reflection_lobe(coat.facets, wi, wo);
+    return single + multiple(coat, wi) * multiple(coat, wo) / (pi * coat.multiple_average);
+}
+
+double single_share(const Coat& coat, const glm::dvec3& wo) {
+    const double all = coat_albedo(coat, wo);
+    return all > 0.0 ? std::max(1.0 - multiple(coat, wo) / all, kMinChoice) : 1.0;
+}
+
+double coat_pdf(const Coat& coat, const glm::dvec3& wi, const glm::dvec3& wo) {
+    const double single = single_share(coat, wo);
+    return single * reflection_pdf(coat.facets, wi, wo) + (1.0 - single) * std::max(wi.z, 0.0) / pi;
+}
+
+glm::dvec3 coat_sample(const Coat& coat, const glm::dvec3& wo, double choice, const glm::dvec2& u) {
+    return choice < single_share(coat, wo) ? reflection_sample(coat.facets, wo, u)
+                                           : sample_cosine(u);
+}
+
+double coat_albedo(const Coat& coat, const glm::dvec3& w) {
+    return coat.tables->fgd_dielectric(w.z, coat.alpha, coat.eta);
+}
+
+}  // namespace lacquer::reference

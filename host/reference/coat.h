@@ -1,0 +1,49 @@
+// The light that a rough dielectric coat reflects without letting it in: once by its facets, and
+// diffusely what meets more than one, so that none is lost.
+// Based on: Kulla and Conty 2017, Revisiting Physically Based Shading at Imageworks (the diffuse
+//           part); Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces
+//
+// f = F D G2 / (4 cos_theta_i cos_theta_o) + m(wi) m(wo) / (pi m_average)
+//
+// with m(w) the part of the directional albedo that has met more than one facet.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "lacquer/material.h"
+#include "reference/facets.h"
+#include "tables/energy_tables.h"
+
+namespace lacquer::reference {
+
+struct Coat {
+    Facets facets;            // as they are shaded: at least kMinAlpha rough
+    double eta;               // index below over index of the exterior
+    double alpha;             // GGX roughness of the energies (equivalent_alpha.h)
+    double multiple_average;  // m averaged over cosine-weighted directions
+    const EnergyTables* tables;
+};
+
+// `tables` must outlive the coat. Throws Error where eta is outside the tables' range.
+Coat prepare_coat(const Microsurface& microsurface, double eta, const EnergyTables& tables);
+
+// All directions below are above the surface.
+
+double coat_lobe(const Coat& coat, const glm::dvec3& wi, const glm::dvec3& wo);
+
+// Density with which coat_sample chooses wi; below the horizon as well.
+double coat_pdf(const Coat& coat, const glm::dvec3& wi, const glm::dvec3& wo);
+
+// A direction of light for wo: with probability single_share, decided by `choice` in [0, 1), wo
+// mirrored by a visible normal, which may point below the surface; else a cosine-weighted one.
+glm::dvec3 coat_sample(const Coat& coat, const glm::dvec3& wo, double choice, const glm::dvec2& u);
+
+// 1 - m / albedo at wo, at least kMinChoice; 1 where the coat reflects nothing.
+double single_share(const Coat& coat, const glm::dvec3& wo);
+
+// Directional albedo, all orders of scattering: by definition that of the tables. The integral of
+// coat_lobe is within the tables' error of it for isotropic GGX facets.
+double coat_albedo(const Coat& coat, const glm::dvec3& w);
+
+}  // namespace lacquer::reference
