@@ -18,7 +18,7 @@ using std::numbers::pi;
 constexpr double kLeastMultipleAverage = 1e-3;
 
 double multiple(const Coat& coat, const glm::dvec3& w) {
-    return coat.tables->fgd_multiple(w.z, coat.alpha, coat.eta);
+    return std::clamp(coat.multiple.at(w.z), 0.0, 1.0);
 }
 
 }  // namespace
@@ -29,8 +29,9 @@ Coat prepare_coat(const Microsurface& microsurface, double eta, const EnergyTabl
              std::max(microsurface.alpha[1], kMinAlpha)},
             eta,
             alpha,
-            std::max(tables.fgd_multiple_average(alpha, eta), kLeastMultipleAverage),
-            &tables};
+            tables.t_down_profile(alpha, eta, 1.0),
+            tables.fgd_multiple_profile(alpha, eta),
+            std::max(tables.fgd_multiple_average(alpha, eta), kLeastMultipleAverage)};
 }
 
 double coat_lobe(const Coat& coat, const glm::dvec3& wi, const glm::dvec3& wo) {
@@ -55,7 +56,7 @@ glm::dvec3 coat_sample(const Coat& coat, const glm::dvec3& wo, double choice, co
 }
 
 double coat_albedo(const Coat& coat, const glm::dvec3& w) {
-    return coat.tables->fgd_dielectric(w.z, coat.alpha, coat.eta);
+    return 1.0 - coat.entering.at(w.z);
 }
 
 }  // namespace lacquer::reference

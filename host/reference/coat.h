@@ -18,14 +18,15 @@
 namespace lacquer::reference {
 
 struct Coat {
-    Facets facets;            // as they are shaded: at least kMinAlpha rough
-    double eta;               // index below over index of the exterior
-    double alpha;             // GGX roughness of the energies (equivalent_alpha.h)
-    double multiple_average;  // m averaged over cosine-weighted directions
-    const EnergyTables* tables;
+    Facets facets;                 // as they are shaded: at least kMinAlpha rough
+    double eta;                    // index below over index of the exterior
+    double alpha;                  // GGX roughness of the energies (equivalent_alpha.h)
+    TransmissionProfile entering;  // what the coat does not reflect
+    DirectionPolynomial multiple;  // m where it is in [0, 1]
+    double multiple_average;       // m averaged over cosine-weighted directions
 };
 
-// `tables` must outlive the coat. Throws Error where eta is outside the tables' range.
+// Throws Error where eta is outside the tables' range.
 Coat prepare_coat(const Microsurface& microsurface, double eta, const EnergyTables& tables);
 
 // All directions below are above the surface.

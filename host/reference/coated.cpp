@@ -66,7 +66,7 @@ CoatedSurface prepare_coated(const Material& material, const EnergyTables& table
     const glm::dvec3 albedo = lambertian_albedo(material);
     const Coat coat =
         prepare_coat(microsurface, layer.interface.ior / material.exterior_ior, tables);
-    return {coat, prepare_coated_base(coat, albedo, tau, shape)};
+    return {coat, prepare_coated_base(coat, albedo, tau, shape, tables)};
 }
 
 glm::dvec3 eval(const CoatedSurface& surface, const glm::dvec3& wi, const glm::dvec3& wo) {

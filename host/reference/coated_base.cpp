@@ -32,8 +32,7 @@ double variance_of_all(const CoatedBase& base) {
 }  // namespace
 
 CoatedBase prepare_coated_base(const Coat& coat, const glm::dvec3& albedo, const glm::dvec3& tau,
-                               BaseLobe shape) {
-    const EnergyTables& tables = *coat.tables;
+                               BaseLobe shape, const EnergyTables& tables) {
     const auto profile = [&](int channel) {
         return tables.t_down_profile(coat.alpha, coat.eta, tau[channel]);
     };

@@ -30,10 +30,9 @@ struct CoatedBase {
     NormalLobe lobe;    // of `ggx`: the variance of its light, all channels and directions together
 };
 
-// `albedo` of the base and `tau` of the medium above it in [0, 1]. The coat's tables must outlive
-// the base.
+// `albedo` of the base and `tau` of the medium above it in [0, 1].
 CoatedBase prepare_coated_base(const Coat& coat, const glm::dvec3& albedo, const glm::dvec3& tau,
-                               BaseLobe shape);
+                               BaseLobe shape, const EnergyTables& tables);
 
 // All directions below are above the surface.
 
