@@ -152,15 +152,21 @@ ErrorSummary judge_off_grid(const Check& check, const EnergyTables& tables, std:
     return summarise(std::move(errors), where);
 }
 
-ErrorSummary judge_on_grid(const Quantity& quantity, const DenseValues& dense,
+ErrorSummary judge_on_grid(std::span<const Quantity> quantities, std::span<const DenseValues> dense,
                            const EnergyTables& tables, std::size_t stride) {
-    const std::size_t count = (dense.size() + stride - 1) / stride;
-    std::vector<double> errors(count);
-    std::vector<Parameters> where(count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t n) {
-        where[n] = grid_parameters(quantity.axes, n * stride);
-        errors[n] = std::abs(quantity.look_up(tables, where[n]) - dense[n * stride]);
-    });
+    std::vector<double> errors;
+    std::vector<Parameters> where;
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+        const std::size_t first = errors.size();
+        const std::size_t count = (dense[q].size() + stride - 1) / stride;
+        errors.resize(first + count);
+        where.resize(first + count);
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t n) {
+            where[first + n] = grid_parameters(quantities[q].axes, n * stride);
+            errors[first + n] =
+                std::abs(quantities[q].look_up(tables, where[first + n]) - dense[q][n * stride]);
+        });
+    }
     return summarise(std::move(errors), where);
 }
 

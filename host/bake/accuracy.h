@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,12 @@ struct Check {
 std::vector<Check> all_checks();
 
 // Mean, 99th percentile and largest absolute error over `count` random points, each simulated anew
-// with `samples` walks, whose noise is part of the errors.
+// with settings.samples walks, whose noise is part of the errors.
 ErrorSummary judge_off_grid(const Check& check, const EnergyTables& tables, std::size_t count,
                             const BakeSettings& settings);
 
-// The same over the points of a dense bake, every `stride`-th of them.
-ErrorSummary judge_on_grid(const Quantity& quantity, const DenseValues& dense,
+// The same over the points of dense bakes, `dense` of each quantity, every `stride`-th of them.
+ErrorSummary judge_on_grid(std::span<const Quantity> quantities, std::span<const DenseValues> dense,
                            const EnergyTables& tables, std::size_t stride);
 
 }  // namespace lacquer::bake

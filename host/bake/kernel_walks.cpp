@@ -145,7 +145,7 @@ std::vector<double> KernelWalks::reflected_by_conductors(double cos_theta, doubl
 }
 
 std::vector<glm::dvec3> KernelWalks::means(Kernel kernel, std::span<const double> cosines,
-                                          double alpha, double eta, std::uint64_t seed) const {
+                                           double alpha, double eta, std::uint64_t seed) const {
     const std::size_t queries = alpha > 0.0 ? quotient_above(samples_, kWalksPerSum) : 1;
     std::vector<glm::dvec3> averages(cosines.size(), glm::dvec3{0.0});
     run(

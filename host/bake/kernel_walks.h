@@ -35,7 +35,7 @@ class KernelWalks final : public Walks {
  private:
     // What `kernel` sums up, per cosine and walk.
     std::vector<glm::dvec3> means(Kernel kernel, std::span<const double> cosines, double alpha,
-                                 double eta, std::uint64_t seed) const;
+                                  double eta, std::uint64_t seed) const;
 
     // Runs `count` queries. `inputs(query, rows)` writes what each reads; `take(query, rows)` is
     // told what it returns.

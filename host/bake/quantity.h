@@ -12,7 +12,7 @@
 
 namespace lacquer::bake {
 
-// Sizes of the dense grids and walks per node.
+// Walks per node, and the seed of all walks.
 struct BakeSettings {
     std::size_t samples = 1 << 14;
     std::uint64_t seed = 1;

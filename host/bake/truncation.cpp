@@ -6,7 +6,7 @@ namespace lacquer::bake {
 
 namespace {
 
-constexpr std::size_t kStride = 97;  // of the nodes looked at: a thousandth of the time
+constexpr std::size_t kStride = 97;  // of the nodes looked at, which are very many
 
 using Tables = std::array<Table, kTableNames.size()>;
 
@@ -32,7 +32,8 @@ std::vector<Truncation> truncation_errors(const Tables& tables, std::size_t inde
     const auto record = [&](std::size_t absorptions, std::size_t polynomials, Truncation& result) {
         Tables changed = tables;
         changed[index] = truncated(tables[index], contrast, absorptions, polynomials);
-        const ErrorSummary errors = judge_on_grid(quantity, dense, EnergyTables{changed}, kStride);
+        const ErrorSummary errors =
+            judge_on_grid({&quantity, 1}, {&dense, 1}, EnergyTables{changed}, kStride);
         result.mean.push_back(errors.mean);
         result.p99.push_back(errors.p99);
     };

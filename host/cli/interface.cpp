@@ -20,8 +20,6 @@ namespace lacquer {
 namespace {
 
 constexpr std::int64_t kDefaultWalks = 1'000'000;
-constexpr double kMinEta = 0.3333;  // 1/3 as people write it
-constexpr double kMaxEta = 3.0;
 
 constexpr const char* kTableMethod = "table";
 
@@ -113,7 +111,7 @@ std::string json_text(const Result& result) {
 
 void run(const CLI::App& command, const Arguments& arguments) {
     require_range("--alpha", arguments.alpha, 0.0, 1.0);
-    require_range("--eta", arguments.eta, kMinEta, kMaxEta);
+    require_range("--eta", arguments.eta, kMinTableEta, kMaxTableEta);
     require_range("--tau", arguments.tau, 0.0, 1.0);
     require_range("--cos", arguments.cos_theta, 0.0, 1.0);
     require_method(

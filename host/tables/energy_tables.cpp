@@ -11,7 +11,6 @@ namespace lacquer {
 
 namespace {
 
-constexpr double kMinEta = 0.3333, kMaxEta = 3.0;
 constexpr double kSlack = 1e-6;  // of quotients and cosines of numbers rounded to float
 
 std::array<Table, kTableNames.size()> read_all(const std::filesystem::path& folder) {
@@ -33,7 +32,7 @@ void require(const char* name, double value, double low, double high) {
 
 void require_interface(double alpha, double eta) {
     require("alpha", alpha, 0.0, 1.0);
-    require("eta", eta, kMinEta, kMaxEta);
+    require("eta", eta, kMinTableEta, kMaxTableEta);
 }
 
 std::string prefixed(Contrast contrast, const char* array) {
@@ -62,6 +61,31 @@ Coefficients coefficients_of(const TableArray& array, double alpha, double eta) 
     return coefficients;
 }
 
+using Names = std::initializer_list<std::string_view>;
+
+// Two arrays that look-ups multiply channel by channel.
+void require_pair(const Table& table, const std::string& first, Names first_axes,
+                  const std::string& second, Names second_axes) {
+    const std::size_t channels = table.array(first).channels();
+    table.array(first, std::vector(first_axes), channels);
+    table.array(second, std::vector(second_axes), channels);
+}
+
+// That look-ups find what they read: of the tables of T01, TransmissionTable sees to it.
+void require_shapes(const Table& r_up, const Table& multiple, const Table& conductor,
+                    const Table& tir, const Table& mirror) {
+    for (const std::string side : {"thin_", "dense_"}) {
+        require_pair(r_up, side + "maps", {"alpha", "eta"}, side + "absorption", {"tau"});
+        require_pair(tir, side + "maps", {"alpha", "eta"}, side + "profile", {"s"});
+    }
+    require_pair(multiple, "thin_below", {"alpha", "eta"}, "thin_above", {"alpha", "eta"});
+    require_pair(multiple, "thin_below", {"alpha", "eta"}, "dense_above", {"alpha", "eta"});
+    require_pair(conductor, "facets", {"alpha", "cos_theta"}, "materials", {"eta", "kappa"});
+    mirror.array("single", std::vector<std::string_view>{"alpha", "cos_theta"}, 1);
+    mirror.array("average", std::vector<std::string_view>{"alpha"}, 1);
+    mirror.array("equivalent_alpha", std::vector<std::string_view>{"variance"}, 1);
+}
+
 }  // namespace
 
 EnergyTables::EnergyTables(const std::filesystem::path& folder) : EnergyTables{read_all(folder)} {}
@@ -74,6 +98,7 @@ EnergyTables::EnergyTables(const std::array<Table, kTableNames.size()>& tables)
       conductor_{tables[4]},
       tir_{tables[5]},
       mirror_{tables[6]} {
+    require_shapes(r_up_, multiple_, conductor_, tir_, mirror_);
     for (const Table& table : tables) bytes_ += payload_bytes(table);
 }
 
@@ -86,7 +111,7 @@ TransmissionProfile EnergyTables::t_down_profile(double alpha, double eta, doubl
 
 double EnergyTables::t_down(double cos_theta, double alpha, double eta, double tau) const {
     require("cos_theta", cos_theta, 0.0, 1.0);
-    return t_down_profile(alpha, eta, tau).at(cos_theta);
+    return t_down_profile(alpha, eta, tau).at(std::clamp(cos_theta, 0.0, 1.0));
 }
 
 double EnergyTables::t_up(double alpha, double eta, double tau) const {
@@ -129,9 +154,9 @@ double EnergyTables::tir(double cos_theta, double alpha, double eta) const {
     require("cos_theta", cos_theta, 0.0, 1.0);
     require_interface(alpha, eta);
     const Contrast contrast = contrast_of(eta);
-    const double value = dot(
-        over_two(tir_.array(prefixed(contrast, "maps")), alpha, eta),
-        over_one(tir_.array(prefixed(contrast, "profile")), profile_coordinate(cos_theta, eta)));
+    const double value = dot(over_two(tir_.array(prefixed(contrast, "maps")), alpha, eta),
+                             over_one(tir_.array(prefixed(contrast, "profile")),
+                                      profile_coordinate(std::clamp(cos_theta, 0.0, 1.0), eta)));
     return std::clamp(value, 0.0, 1.0);
 }
 
@@ -147,7 +172,8 @@ DirectionPolynomial EnergyTables::fgd_multiple_profile(double alpha, double eta)
 
 double EnergyTables::fgd_multiple(double cos_theta, double alpha, double eta) const {
     require("cos_theta", cos_theta, 0.0, 1.0);
-    return std::clamp(fgd_multiple_profile(alpha, eta).at(cos_theta), 0.0, 1.0);
+    return std::clamp(fgd_multiple_profile(alpha, eta).at(std::clamp(cos_theta, 0.0, 1.0)), 0.0,
+                      1.0);
 }
 
 double EnergyTables::fgd_multiple_average(double alpha, double eta) const {

@@ -18,6 +18,9 @@ namespace lacquer {
 inline constexpr std::array<const char*, 7> kTableNames{
     "t_down_thin", "t_down_dense", "r_up", "multiple", "conductor", "tir", "mirror"};
 
+// The relative indices that the tables hold: 1/3, as people write it, to 3.
+inline constexpr double kMinTableEta = 0.3333, kMaxTableEta = 3.0;
+
 class EnergyTables {
  public:
     // Reads the files of kTableNames in `folder`; throws Error naming the one that is missing or

@@ -2,6 +2,7 @@
 
 #include <Imath/half.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -27,6 +28,18 @@ const TableArray& Table::array(std::string_view wanted) const {
     if (found == arrays.end())
         throw Error{fmt::format("table '{}' has no array '{}'", name, wanted)};
     return *found;
+}
+
+const TableArray& Table::array(std::string_view wanted, std::span<const std::string_view> axes,
+                               std::size_t channels) const {
+    const TableArray& found = array(wanted);
+    bool fits = found.axes.size() == axes.size() + 1 && found.channels() == channels;
+    for (std::size_t n = 0; fits && n < axes.size(); ++n)
+        fits = found.axes[n].name == axes[n] && found.axes[n].size >= 2;
+    if (!fits)
+        throw Error{fmt::format("table '{}', array '{}': expected axes {} and {} channels", name,
+                                wanted, fmt::join(axes, ", "), channels)};
+    return found;
 }
 
 void round_to_encoding(Table& table) {

@@ -40,6 +40,11 @@ struct Table {
 
     // Throws Error naming the table and the array that it has not.
     const TableArray& array(std::string_view wanted) const;
+
+    // The same, and throws Error where its axes but the last are not those named, or have fewer
+    // than two nodes, or it has another number of channels.
+    const TableArray& array(std::string_view wanted, std::span<const std::string_view> axes,
+                            std::size_t channels) const;
     bool operator==(const Table&) const = default;
 };
 

@@ -1,23 +1,10 @@
 #include "tables/transmission.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-
-#include "core/error.h"
 
 namespace lacquer {
 
 namespace {
-
-void require_shape(const Table& table, const TableArray& array, std::vector<std::string> axes,
-                   std::size_t channels) {
-    bool fits = array.axes.size() == axes.size() + 1 && array.channels() == channels;
-    for (std::size_t n = 0; fits && n < axes.size(); ++n) fits = array.axes[n].name == axes[n];
-    if (!fits)
-        throw Error{fmt::format("table '{}', array '{}': expected axes {} and {} channels",
-                                table.name, array.name, fmt::join(axes, ", "), channels)};
-}
 
 Coefficients contract(const TableArray& maps, double alpha, double eta,
                       const std::vector<double>& absorption, const CoefficientCounts& counts) {
@@ -45,15 +32,13 @@ double TransmissionProfile::variance() const {
     return energy > 0.0 ? std::clamp(0.5 * (1.0 - polynomial_.spread() / energy), 0.0, 0.5) : 0.0;
 }
 
-TransmissionTable::TransmissionTable(const Table& table, Contrast contrast)
-    : contrast_{contrast}, above_{table.array("above")}, absorption_{table.array("absorption")} {
+TransmissionTable::TransmissionTable(const Table& table, Contrast contrast) : contrast_{contrast} {
+    constexpr std::array<std::string_view, 2> kNode{"alpha", "eta"};
+    constexpr std::array<std::string_view, 1> kTau{"tau"};
     const std::size_t channels = coefficient_channels(contrast);
-    require_shape(table, above_, {"alpha", "eta"}, channels);
-    require_shape(table, absorption_, {"tau"}, kAbsorptions);
-    if (contrast == Contrast::thin) {
-        below_ = table.array("below");
-        require_shape(table, below_, {"alpha", "eta"}, channels);
-    }
+    above_ = table.array("above", kNode, channels);
+    absorption_ = table.array("absorption", kTau, kAbsorptions);
+    if (contrast == Contrast::thin) below_ = table.array("below", kNode, channels);
 }
 
 TransmissionProfile TransmissionTable::profile(double alpha, double eta, double tau) const {

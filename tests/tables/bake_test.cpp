@@ -148,6 +148,7 @@ TEST(Bake, TwoProcessesMakeTheSameBytes) {
     for (const std::string& argument : bake_into(two.path())) arguments.push_back(argument);
     const ProcessResult result = run_process("/bin/sh", arguments);
     ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("2 processes"), std::string::npos) << result.err;
     EXPECT_EQ(read_file(two / "r_up.bin"), baked_bytes(one.path()));
 }
 
@@ -169,6 +170,16 @@ TEST(Bake, AFolderThatCannotBeMadeIsAnError) {
     const ProcessResult result = run_process(kProgram, bake_into("/proc/nowhere"));
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_NE(result.err.find("/proc/nowhere"), std::string::npos) << result.err;
+}
+
+TEST(Bake, OptionsThatMakeNoSenseTogetherAreRefused) {
+    const std::vector<std::vector<std::string>> senseless{
+        {"bake", "--coarse"},
+        {"bake", "--seed", "-1", "-o", "/proc/nowhere"},
+        {"bake", "--table", "mirror", "--report", "r", "-o", "/proc/nowhere"},
+        {"bake", "--device", "x", "-o", "/proc/nowhere"}};
+    for (const std::vector<std::string>& arguments : senseless)
+        EXPECT_EQ(run_process(kProgram, arguments).exit_code, 2) << arguments[1];
 }
 
 TEST(Bake, ACoarseBakeIsComplete) {

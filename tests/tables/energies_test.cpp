@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bake/accuracy.h"
-#include "bake/dielectric.h"
 #include "core/error.h"
 #include "simulator/facet_material.h"
+#include "simulator/goniophotometer.h"
 #include "simulator/interface.h"
+#include "simulator/microsurface.h"
+#include "tables/table_file.h"
 
 namespace lacquer {
 
@@ -98,8 +99,97 @@ TEST(Energies, ArgumentsOutsideTheRangesAreErrors) {
     EXPECT_THROW(tables().fgd_conductor(0.5, 0.5, 6.0, 1.0), Error);
 }
 
+TEST(Energies, TablesOfOtherShapesAreRefused) {
+    const auto good = [] {
+        std::array<Table, kTableNames.size()> all;
+        for (std::size_t n = 0; n < all.size(); ++n)
+            all[n] = read_table(std::filesystem::path{BAKED_TABLES} /
+                                (std::string{kTableNames[n]} + ".bin"));
+        return all;
+    }();
+    EXPECT_NO_THROW(EnergyTables{good});
+    for (std::size_t n = 0; n < good.size(); ++n) {
+        auto damaged = good;
+        std::swap(damaged[n].arrays[0].axes.front(), damaged[n].arrays[0].axes.back());
+        EXPECT_THROW(EnergyTables{damaged}, Error) << kTableNames[n];
+        damaged = good;
+        damaged[n].arrays.erase(damaged[n].arrays.begin());
+        EXPECT_THROW(EnergyTables{damaged}, Error) << kTableNames[n];
+    }
+}
+
 TEST(Energies, AllTablesFitTheirBudget) {
     EXPECT_LE(tables().bytes(), 128u * 1024u);
+}
+
+namespace {
+
+using simulator::SurfaceWalk;
+
+// Share of walks onto GGX facets that `counts`, weighted by what they carry, with its error.
+template <typename Counts>
+simulator::Estimate share_of_walks(double cosine, double alpha,
+                                   const simulator::FacetMaterial& material, const Counts& counts) {
+    struct Tally : simulator::Moments {
+        std::uint64_t count = 0;
+    };
+    simulator::RunOptions options;
+    options.samples = 100'000;
+    const SurfaceWalk surface{
+        {Blend::Operator::asymmetric, {{1.0, {Ndf::ggx, alpha, alpha}, material}}}};
+    const simulator::Vec3 arriving{std::sqrt(1.0 - cosine * cosine), 0.0, -cosine};
+    const auto tally =
+        simulator::run_walks<Tally>(options, [&](simulator::RandomStream& random, Tally& sum) {
+            const simulator::Crossing crossing = surface.cross(arriving, random);
+            if (!crossing.lost && counts(crossing)) sum.add(crossing.weight.x);
+        });
+    const auto count = static_cast<double>(tally.count);
+    return {tally.mean(count), tally.standard_error(count)};
+}
+
+void expect_near(double value, const simulator::Estimate& truth, const char* what) {
+    EXPECT_NEAR(value, truth.mean, kMaxError + 4.0 * truth.standard_error) << what;
+}
+
+}  // namespace
+
+TEST(Energies, OfFacetsAgreeWithTheSimulator) {
+    struct Point {
+        double cosine, alpha, eta, kappa;
+    };
+    for (const auto& [cosine, alpha, eta, kappa] :
+         {Point{0.9, 0.2, 0.2, 3.4}, Point{0.3, 0.7, 1.6, 8.0}, Point{0.6, 1.0, 2.8, 3.1}}) {
+        const simulator::ConductorFacet metal{{eta, eta, eta}, {kappa, kappa, kappa}};
+        const simulator::ConductorFacet mirror{};  // index 0 reflects everything
+        const auto any = [](const simulator::Crossing& crossing) { return !crossing.below; };
+        const auto once = [](const simulator::Crossing& crossing) { return crossing.order == 1; };
+        const auto again = [](const simulator::Crossing& crossing) {
+            return !crossing.below && crossing.order > 1;
+        };
+        expect_near(tables().fgd_conductor(cosine, alpha, eta, kappa),
+                    share_of_walks(cosine, alpha, metal, any), "conductor");
+        expect_near(tables().mirror_single(cosine, alpha),
+                    share_of_walks(cosine, alpha, mirror, once), "mirror");
+        for (const double ratio : {0.6, 1.5})
+            expect_near(tables().fgd_multiple(cosine, alpha, ratio),
+                        share_of_walks(cosine, alpha, simulator::DielectricFacet{ratio}, again),
+                        "multiple");
+    }
+}
+
+TEST(Energies, EquivalentAlphaHasTheVarianceOfItsLobe) {
+    for (const double alpha : {0.05, 0.2, 0.5, 0.9}) {
+        Material material;
+        material.base = ConductorBase{{}, {}, Microsurface{Ndf::ggx, {alpha, alpha}}};
+        simulator::RunOptions options;
+        options.samples = 200'000;
+        const auto lobe = simulator::estimate_distribution(simulator::StackWalk{material, {1}},
+                                                           {0.0, 0.0, 1.0}, {}, options);
+        const double variance = lobe.base.variance_x.mean[0] + lobe.direct.variance_x.mean[0];
+        // A thirty-third of the range of alphas between nodes, where the curve is nearly straight.
+        constexpr double kNode = 1.0 / 33.0 / 8.0;
+        EXPECT_NEAR(tables().equivalent_alpha(variance), alpha, kNode);
+    }
 }
 
 TEST(Energies, AgreeWithTheSimulator) {
