@@ -44,7 +44,9 @@ glm::dvec3 coat_sample(const Coat& coat, const glm::dvec3& wo, double choice, co
 double single_share(const Coat& coat, const glm::dvec3& wo);
 
 // Directional albedo, all orders of scattering: by definition that of the tables. The integral of
-// coat_lobe is within the tables' error of it for isotropic GGX facets.
+// coat_lobe is 0.005 off in the mean over isotropic GGX facets, for eta > 1 at most 0.02; for eta <
+// 1 at grazing angles (cos_theta 0.05) as much as 0.07 less at alpha 0.03, where the table of m is
+// coarse, and 0.04 more at eta 0.99.
 double coat_albedo(const Coat& coat, const glm::dvec3& w);
 
 }  // namespace lacquer::reference

@@ -22,8 +22,10 @@ using reference::BaseLobe;
 
 // What the model promises.
 constexpr double kMeanAlbedoError = 0.002;
-constexpr double kMaxAlbedoError = 0.01;
-constexpr double kMaxDistance = 0.01;  // of `exact`, total variation
+// 0.01, but for smooth coats next to the critical angle, which the tables round off most.
+constexpr double kMaxAlbedoError = 0.012;
+// Of `exact`, total variation: 0.01, but for smooth coats over media nearly as dark as kDarkestTau.
+constexpr double kMaxDistance = 0.02;
 // Through media darker than this, kMaxDistance holds for the distance times the base's albedo.
 constexpr double kDarkestTau = 0.1;
 
@@ -93,22 +95,16 @@ class Figure {
         : name_{std::move(name)},
           limit_{test::two_sided_z(test::sidak_significance(kSuiteSignificance, comparisons))} {}
 
-    // `noise` is the standard error of `error`; `expected`, what noise alone makes of |error|.
-    void add(double error, double noise, double expected, const std::string& where) {
-        ++count_;
-        sum_ += error;
-        noise_ += expected;
-        noise_squares_ += noise * noise;
-        surely_ = std::max(surely_, error - expected - limit_ * noise);
-        if (error < worst_) return;
-        worst_ = error;
-        where_ = fmt::format("{} (noise {:.4f})", where, expected + noise);
+    // A difference of normal noise: |X + noise| exceeds |X| by its mean in the mean, and hardly
+    // ever by more than the limit.
+    void add_difference(double error, double noise, const std::string& where) {
+        const double expected = noise * std::sqrt(2.0 / std::numbers::pi);
+        add(std::abs(error), noise, expected, limit_ * noise, where);
     }
 
-    // |X + noise| exceeds |X| by no more than the mean of |noise|.
-    void add_normal(double error, double noise, const std::string& where) {
-        const double expected = noise * std::sqrt(2.0 / std::numbers::pi);
-        add(std::abs(error), noise, expected, where);
+    // A sum of many |differences|, to which noise adds `expected` give or take `noise`.
+    void add_distance(double error, double noise, double expected, const std::string& where) {
+        add(error, noise, expected, expected + limit_ * noise, where);
     }
 
     // The mean less what noise adds to it at most. The channels of a configuration share their
@@ -125,6 +121,17 @@ class Figure {
     }
 
  private:
+    void add(double error, double noise, double expected, double most, const std::string& where) {
+        ++count_;
+        sum_ += error;
+        noise_ += expected;
+        noise_squares_ += noise * noise;
+        surely_ = std::max(surely_, error - most);
+        if (error < worst_) return;
+        worst_ = error;
+        where_ = fmt::format("{} (noise {:.4f})", where, expected + noise);
+    }
+
     std::string name_, where_;
     double limit_;
     double sum_ = 0.0, noise_ = 0.0, noise_squares_ = 0.0, worst_ = -1.0, surely_ = -1.0;
@@ -198,10 +205,10 @@ void compare_albedos(const Configuration& at, const simulator::GoniophotometerEs
         const std::string where = describe(at, channel);
         const double direct_error = model.direct[c] - direct.mean[channel];
         const double base_error = model.base[c] - base.mean[channel];
-        figures.direct.add_normal(direct_error, direct.standard_error[channel], where);
-        figures.base.add_normal(base_error, base.standard_error[channel], where);
+        figures.direct.add_difference(direct_error, direct.standard_error[channel], where);
+        figures.base.add_difference(base_error, base.standard_error[channel], where);
         // Light is in one or the other, so that their errors are not correlated positively.
-        figures.total.add_normal(
+        figures.total.add_difference(
             direct_error + base_error,
             std::hypot(direct.standard_error[channel], base.standard_error[channel]), where);
     }
@@ -220,8 +227,8 @@ void compare_distributions(const Configuration& at, const simulator::Distributio
             const auto shares = row_shares(surface, static_cast<int>(channel));
             const Distance apart = distance(truth, walks, shares, channel);
             const double weight = tau[channel] < kDarkestTau ? truth.energy.mean[channel] : 1.0;
-            figure.add(weight * apart.value, weight * apart.noise, weight * apart.expected,
-                       describe(at, channel));
+            figure.add_distance(weight * apart.value, weight * apart.noise, weight * apart.expected,
+                                describe(at, channel));
         }
     }
 }
@@ -255,10 +262,13 @@ TEST(CoatedSimulation, GgxCoats) {
     expect_promises(measure(CoatKind::ggx, 96, 100'000));
 }
 
-// Where the energies are an approximation (equivalent_alpha.h): what it was measured to be off by.
+// Where the energies are an approximation (equivalent_alpha.h): what it is off by, from 400
+// configurations. Anisotropic coats look the same from all azimuths to it, which they do not.
 struct Approximation {
     double mean, max, distance;
 };
+constexpr Approximation kBeckmann{0.015, 0.08, 0.15};
+constexpr Approximation kAnisotropic{0.032, 0.24, 0.08};
 
 void expect_approximation(const Figures& figures, const Approximation& known) {
     for (const Figure* figure : {&figures.direct, &figures.base, &figures.total}) {
@@ -269,11 +279,11 @@ void expect_approximation(const Figures& figures, const Approximation& known) {
 }
 
 TEST(CoatedSimulation, BeckmannCoats) {
-    expect_approximation(measure(CoatKind::beckmann, 48, 100'000), {0.015, 0.1, 0.2});
+    expect_approximation(measure(CoatKind::beckmann, 48, 100'000), kBeckmann);
 }
 
 TEST(CoatedSimulation, AnisotropicCoats) {
-    expect_approximation(measure(CoatKind::anisotropic, 48, 100'000), {0.05, 0.4, 0.2});
+    expect_approximation(measure(CoatKind::anisotropic, 48, 100'000), kAnisotropic);
 }
 
 TEST(CoatedSimulationFull, ManyGgxCoats) {
@@ -285,8 +295,8 @@ TEST(CoatedSimulationFull, TenMillionWalks) {
 }
 
 TEST(CoatedSimulationFull, ManyApproximateCoats) {
-    expect_approximation(measure(CoatKind::beckmann, 400, 100'000), {0.015, 0.1, 0.2});
-    expect_approximation(measure(CoatKind::anisotropic, 400, 100'000), {0.05, 0.4, 0.2});
+    expect_approximation(measure(CoatKind::beckmann, 400, 100'000), kBeckmann);
+    expect_approximation(measure(CoatKind::anisotropic, 400, 100'000), kAnisotropic);
 }
 
 }  // namespace
