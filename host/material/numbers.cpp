@@ -168,4 +168,23 @@ Material rounded_to_float(const Material& material) {
     return rounded;
 }
 
+Material as_shaders_read(const Material& material) {
+    Material relative = material;
+    const auto divide = [&](Rgb& index) {
+        for (double& channel : index) channel /= material.exterior_ior;
+    };
+    for (Layer& layer : relative.layers) layer.interface.ior /= material.exterior_ior;
+    if (auto* conductor = std::get_if<ConductorBase>(&relative.base)) {
+        divide(conductor->eta);
+        divide(conductor->kappa);
+        if (auto* blend = std::get_if<Blend>(&conductor->roughness))
+            for (Stratum& stratum : blend->strata) {
+                if (stratum.eta) divide(*stratum.eta);
+                if (stratum.kappa) divide(*stratum.kappa);
+            }
+    }
+    relative.exterior_ior = 1.0;
+    return rounded_to_float(relative);
+}
+
 }  // namespace lacquer

@@ -23,7 +23,11 @@ void visit_numbers(Material& material, const NumberVisitor& visitor);
 // `value` is out of its range, or where the material as a whole would no longer be valid.
 Material with_number(const Material& material, std::string_view pointer, double value);
 
-// The material with every number rounded to the nearest float, as the shaders get it.
+// The material with every number rounded to the nearest float.
 Material rounded_to_float(const Material& material);
+
+// The same after dividing every index by that of the exterior, which becomes 1: the material as the
+// shaders get it. Near critical angles it matters that the quotients are what is rounded.
+Material as_shaders_read(const Material& material);
 
 }  // namespace lacquer

@@ -111,5 +111,21 @@ TEST(Numbers, RoundsEachToTheNearestFloat) {
               static_cast<double>(0.12f));
 }
 
+TEST(Numbers, AreReadByShadersRelativeToTheExterior) {
+    Material material{"under water", 1.33, {}, ConductorBase{{0.2, 0.4, 1.4}, {4, 2, 1}, {}}, {}};
+    material.layers.push_back({{1.5, Microsurface{}}, AbsorbingMedium{}});
+    const Material read = as_shaders_read(material);
+    EXPECT_EQ(read.exterior_ior, 1.0);
+    EXPECT_EQ(read.layers[0].interface.ior, static_cast<double>(static_cast<float>(1.5 / 1.33)));
+    const auto& conductor = std::get<ConductorBase>(read.base);
+    EXPECT_EQ(conductor.eta[2], static_cast<double>(static_cast<float>(1.4 / 1.33)));
+    EXPECT_EQ(conductor.kappa[0], static_cast<double>(static_cast<float>(4 / 1.33)));
+    const Blend blend{Blend::Operator::symmetric, {Stratum{0.5, {}, Rgb{1, 1, 1}, {}, {}}, {}}};
+    const Material blended =
+        as_shaders_read({"blend", 2.0, {}, ConductorBase{{1, 1, 1}, {}, blend}, {}});
+    const auto& strata = std::get<Blend>(std::get<ConductorBase>(blended.base).roughness).strata;
+    EXPECT_EQ(strata[0].eta, (Rgb{0.5, 0.5, 0.5}));
+}
+
 }  // namespace
 }  // namespace lacquer
