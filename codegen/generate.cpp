@@ -156,7 +156,8 @@ std::vector<Variant> chosen_variants(const SourceTree& tree, const Request& requ
         if (!chosen(request.levels, std::string{level.name})) continue;
         if (chosen(request.forms, Form::kernel))
             for (const KernelSource& source : all_kernels(tree))
-                variants.push_back(kernel_variant(tree, level, source));
+                if (shades_surfaces(tree, source) || level.name == all_levels().front().name)
+                    variants.push_back(kernel_variant(tree, level, source));
         if (chosen(request.forms, Form::library)) variants.push_back(library_variant(tree, level));
     }
     return variants;

@@ -14,6 +14,12 @@ namespace {
 constexpr std::array kLevels{
     Level{"plain", "plain/plain.glsl", "LQ_MODEL_PLAIN",
           "a rough dielectric coat over a bare base, no light passing between them"},
+    Level{"clearcoat", "clearcoat/clearcoat.glsl", "LQ_MODEL_CLEARCOAT",
+          "glTF's clear coat: Fresnel's factor divides the light between coat and base"},
+    Level{"weidlich_wilkie", "weidlich_wilkie/weidlich_wilkie.glsl", "LQ_MODEL_WEIDLICH_WILKIE",
+          "a coat that light enters and leaves through the same facet, by Weidlich and Wilkie"},
+    Level{"openpbr_coat", "openpbr_coat/openpbr_coat.glsl", "LQ_MODEL_OPENPBR_COAT",
+          "OpenPBR's coat: the base made rougher, darker and attenuated by it"},
 };
 
 struct StageEntry {
@@ -67,6 +73,11 @@ std::vector<KernelSource> all_kernels(const SourceTree& tree) {
         return std::pair{kernel.kernel, kernel.stage};
     });
     return kernels;
+}
+
+bool shades_surfaces(const SourceTree& tree, const KernelSource& source) {
+    const std::vector<std::string> files = tree.closure(source.file);
+    return std::ranges::find(files, "kernels/model.glsl") != files.end();
 }
 
 bool can_express(Target target, Stage stage) {

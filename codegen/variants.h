@@ -38,6 +38,10 @@ const Level& level_from_name(std::string_view name);
 // Every kernel of the tree, sorted by name and stage: kernels/*.comp, viewer/*.vert and *.frag.
 std::vector<KernelSource> all_kernels(const SourceTree& tree);
 
+// Whether the kernel runs a model; one that does not is the same for every level and is generated
+// for the first only.
+bool shades_surfaces(const SourceTree& tree, const KernelSource& source);
+
 // Whether `target` can express a kernel of that stage; ESSL 3.00 has no compute shaders.
 bool can_express(Target target, Stage stage);
 

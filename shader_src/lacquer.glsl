@@ -19,6 +19,9 @@
 #include "microsurface/walk.glsl"
 
 // Levels:
+#include "clearcoat/clearcoat.glsl"
+#include "openpbr_coat/openpbr_coat.glsl"
 #include "plain/plain.glsl"
+#include "weidlich_wilkie/weidlich_wilkie.glsl"
 
 #endif

@@ -2,6 +2,7 @@
 #include "backends/cpu_job.h"
 #include "backends/entries.h"
 #include "lacquer/bsdf.h"
+#include "material/numbers.h"
 #include "shading/walks.h"
 
 namespace lacquer {
@@ -46,7 +47,7 @@ class CppBackend final : public Backend {
     JobResult run(const Job& job) override {
         if (const Walk walk = walk_of(job.kernel)) return run_walks(job, walk);
         return run_on_cpu<float>(job, [&](const Material& material) {
-            return lacquer::prepare<float>(material, job.model);
+            return lacquer::prepare<float>(as_shaders_read(material), job.model);
         });
     }
 

@@ -59,6 +59,11 @@ constexpr KernelShape kernel_shape(Kernel kernel) {
     return {"", 0, 0};
 }
 
+// Whether a kernel has a model at all; the others are generated once, for the first level.
+constexpr bool shades_materials(Kernel kernel) {
+    return kernel < Kernel::copy;
+}
+
 // LqKernelParameters of shader_src/kernels/bindings.glsl, byte for byte (std140).
 struct KernelParameters {
     std::uint32_t query_count = 0;

@@ -10,6 +10,7 @@
 
 #include "backends/entries.h"
 #include "backends/float_backend.h"
+#include "backends/shader_store.h"
 #include "core/error.h"
 #include "core/paths.h"
 
@@ -44,7 +45,7 @@ class MslBackend final : public FloatBackend {
  private:
     void compile(Model model, Kernel kernel) override {
         const std::string name =
-            fmt::format("lacquer_msl_{}_{}", model_level(model), kernel_shape(kernel).name);
+            fmt::format("lacquer_msl_{}_{}", kernel_level(model, kernel), kernel_shape(kernel).name);
         void* const symbol = dlsym(module_.get(), name.c_str());
         if (symbol == nullptr) throw Error{fmt::format("the Metal kernels lack '{}'", name)};
         kernels_[{model, kernel}] = reinterpret_cast<MslKernel>(symbol);

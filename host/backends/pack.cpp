@@ -1,13 +1,16 @@
 #include "backends/pack.h"
 
-#include "backends/pack_plain.h"
+#include "backends/pack_one_coat.h"
 
 namespace lacquer {
 
 std::size_t surface_rows(Model model) {
     switch (model) {
         case Model::plain:
-            return kPlainRows;
+        case Model::clearcoat:
+        case Model::weidlich_wilkie:
+        case Model::openpbr_coat:
+            return kOneCoatRows;
     }
     return 0;
 }
@@ -17,8 +20,11 @@ std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> mate
     rows.reserve(materials.size() * surface_rows(model));
     for (const Material& material : materials) {
         switch (model) {
-            case Model::plain: {
-                const auto packed = pack_plain(material);
+            case Model::plain:
+            case Model::clearcoat:
+            case Model::weidlich_wilkie:
+            case Model::openpbr_coat: {
+                const auto packed = pack_one_coat(material, model);
                 rows.insert(rows.end(), packed.begin(), packed.end());
             }
         }

@@ -14,7 +14,7 @@ namespace lacquer {
 std::size_t surface_rows(Model model);
 
 // Packs each material into surface_rows(model) rows. Throws Error naming the material and the JSON
-// pointer of a feature that the model cannot shade (for `plain`: a blended microsurface).
+// pointer of a feature that the model cannot shade (core/model_scope.h).
 std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> materials);
 
 }  // namespace lacquer

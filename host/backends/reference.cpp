@@ -1,6 +1,6 @@
 // Backend `reference`: the models in double precision, which every other backend is measured
 // against.
-#include "reference/plain.h"
+#include "reference/models.h"
 
 #include "backends/cpu_job.h"
 #include "backends/entries.h"
@@ -15,17 +15,17 @@ constexpr const char* kDevice = "double precision, all cores";
 // The reference under the member names that run_query calls.
 struct ReferenceSurface {
     using Vector = glm::dvec3;
-    reference::PlainSurface plain;
+    std::shared_ptr<const reference::Shading> shading;
 
-    Vector eval(const Vector& wi, const Vector& wo) const { return reference::eval(plain, wi, wo); }
+    Vector eval(const Vector& wi, const Vector& wo) const { return shading->eval(wi, wo); }
     Vector eval_cos(const Vector& wi, const Vector& wo) const {
         return eval(wi, wo) * std::max(wi.z, 0.0);
     }
-    double pdf(const Vector& wi, const Vector& wo) const { return reference::pdf(plain, wi, wo); }
+    double pdf(const Vector& wi, const Vector& wo) const { return shading->pdf(wi, wo); }
     reference::Sample sample(const Vector& wo, const Vector& u) const {
-        return reference::sample(plain, wo, u);
+        return shading->sample(wo, u);
     }
-    reference::Albedo albedo(const Vector& wo, int) const { return reference::albedo(plain, wo); }
+    reference::Albedo albedo(const Vector& wo, int) const { return shading->albedo(wo); }
 };
 
 // It shades the material as the other backends read it: rounded to float, like its directions.
@@ -34,8 +34,8 @@ class ReferenceBackend final : public Backend {
     void prepare(Model, Kernel) override {}
 
     JobResult run(const Job& job) override {
-        return run_on_cpu<double>(job, [](const Material& material) {
-            return ReferenceSurface{reference::prepare_plain(rounded_to_float(material))};
+        return run_on_cpu<double>(job, [&](const Material& material) {
+            return ReferenceSurface{reference::prepare(as_shaders_read(material), job.model)};
         });
     }
 

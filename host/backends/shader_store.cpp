@@ -24,11 +24,15 @@ nlohmann::json load_manifest(const fs::path& file) {
 
 bool is_kernel(const nlohmann::json& entry, std::string_view target, Model model, Kernel kernel) {
     return entry.at("target") == target && entry.at("form") == "kernel" &&
-           entry.at("level") == model_level(model) &&
+           entry.at("level") == kernel_level(model, kernel) &&
            entry.at("kernel") == kernel_shape(kernel).name;
 }
 
 }  // namespace
+
+std::string_view kernel_level(Model model, Kernel kernel) {
+    return model_level(shades_materials(kernel) ? model : all_models().front());
+}
 
 ShaderSource load_shader(std::string_view target, Model model, Kernel kernel) {
     const fs::path manifest_file = share_file("shaders/manifest.json");
@@ -43,7 +47,7 @@ ShaderSource load_shader(std::string_view target, Model model, Kernel kernel) {
         throw Error{fmt::format("'{}': {}", manifest_file.string(), error.what())};
     }
     throw Error{fmt::format("'{}' lists no {} kernel '{}' of level '{}'", manifest_file.string(),
-                            target, kernel_shape(kernel).name, model_level(model))};
+                            target, kernel_shape(kernel).name, kernel_level(model, kernel))};
 }
 
 }  // namespace lacquer

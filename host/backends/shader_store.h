@@ -16,6 +16,9 @@ struct ShaderSource {
     std::string entry_point;
 };
 
+// The level of the shader source whose generated files the kernel stands among.
+std::string_view kernel_level(Model model, Kernel kernel);
+
 // Reads the kernel in the language `target`, named as in the manifest ("spirv", "wgsl", ...).
 // Throws Error where the manifest or the file is missing or broken, or the kernel was not
 // generated.

@@ -14,6 +14,7 @@
 #include "cli/material_argument.h"
 #include "cli/options.h"
 #include "core/error.h"
+#include "core/model_scope.h"
 #include "core/progress.h"
 #include "report/folder.h"
 #include "report/json.h"
@@ -62,13 +63,26 @@ std::vector<const BackendEntry*> chosen_backends(const std::vector<std::string>&
     return entries;
 }
 
-std::vector<NamedMaterial> chosen_materials(const std::vector<std::string>& names) {
+// The bundled materials that the model can shade, saying which it leaves out.
+std::vector<NamedMaterial> bundled_materials(Model model) {
     std::vector<NamedMaterial> materials;
-    for (const std::string& name : names)
+    for (const std::filesystem::path& file : bundled_material_files()) {
+        const NamedMaterial named{file.stem().string(), load_material(file)};
+        if (const auto why = why_not_shadeable(named.material, model))
+            fmt::print(stderr, "left out: {}: {}\n", named.name, *why);
+        else
+            materials.push_back(named);
+    }
+    return materials;
+}
+
+std::vector<NamedMaterial> chosen_materials(const std::vector<std::string>& names, Model model) {
+    std::vector<NamedMaterial> materials;
+    for (const std::string& name : names) {
         materials.push_back({name, load_material(material_file(name))});
-    if (names.empty())
-        for (const std::filesystem::path& file : bundled_material_files())
-            materials.push_back({file.stem().string(), load_material(file)});
+        require_shadeable(materials.back().material, model);
+    }
+    if (names.empty()) materials = bundled_materials(model);
     for (const NamedMaterial& named : materials) require_untextured(named.material);
     return materials;
 }
@@ -82,7 +96,7 @@ CompareRequest make_request(const Arguments& arguments) {
     request.model = model_from_name(arguments.model);
     request.backends = chosen_backends(arguments.backends);
     request.reference = &backend_from_name(kReferenceName);
-    request.materials = chosen_materials(arguments.materials);
+    request.materials = chosen_materials(arguments.materials, request.model);
     request.grids = default_suite();
     request.options = arguments.options;
     request.keep_values = !arguments.report.empty();

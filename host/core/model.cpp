@@ -17,9 +17,19 @@ struct ModelEntry {
     std::string_view level;
 };
 
-constexpr std::array kEntries{ModelEntry{Model::plain, "plain", "plain"}};
-constexpr std::array kModels{Model::plain};
-static_assert(kEntries.size() == kModels.size());
+// In the order of Model.
+constexpr std::array kEntries{
+    ModelEntry{Model::plain, "plain", "plain"},
+    ModelEntry{Model::clearcoat, "clearcoat", "clearcoat"},
+    ModelEntry{Model::weidlich_wilkie, "weidlich-wilkie", "weidlich_wilkie"},
+    ModelEntry{Model::openpbr_coat, "openpbr-coat", "openpbr_coat"},
+};
+
+constexpr auto kModels = [] {
+    std::array<Model, kEntries.size()> models{};
+    for (std::size_t i = 0; i < models.size(); ++i) models[i] = kEntries[i].model;
+    return models;
+}();
 
 const ModelEntry& entry_of(Model model) {
     return kEntries[static_cast<std::size_t>(model)];

@@ -7,7 +7,10 @@
 namespace lacquer {
 
 enum class Model {
-    plain,  // single reflections of the top interface plus the base as if bare
+    plain,            // single reflections of the top interface plus the base as if bare
+    clearcoat,        // glTF's: Fresnel's factor divides the light between coat and base
+    weidlich_wilkie,  // light enters and leaves the coat through one facet
+    openpbr_coat,     // OpenPBR's: the base made rougher, darker and attenuated by the coat
 };
 
 // The name on the command line, in JSON and in file names of shader variants.

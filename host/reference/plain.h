@@ -2,35 +2,15 @@
 // as if it were bare, without transport between them.
 #pragma once
 
-#include <array>
-#include <complex>
 #include <glm/vec3.hpp>
-#include <optional>
 
 #include "lacquer/material.h"
-#include "reference/facets.h"
+#include "reference/one_coat.h"
 #include "reference/shading.h"
 
 namespace lacquer::reference {
 
-// The top interface, seen from the exterior.
-struct PlainCoat {
-    Facets facets;
-    double eta;  // index below over index of the exterior
-};
-
-// Index relative to the exterior, per colour channel.
-struct PlainConductor {
-    Facets facets;
-    std::array<std::complex<double>, 3> eta;
-};
-
-// At most one of `albedo` and `conductor` is there: neither where the base is "none".
-struct PlainSurface {
-    std::optional<PlainCoat> coat;
-    std::optional<glm::dvec3> albedo;  // a Lambertian base
-    std::optional<PlainConductor> conductor;
-};
+struct PlainSurface : OneCoat {};
 
 // What `plain` takes from a material: layers below the first and all media are not transported, and
 // diffuse facets are shaded as Lambertian. Throws Error naming the JSON pointer of a blended
@@ -43,11 +23,9 @@ glm::dvec3 eval(const PlainSurface& surface, const glm::dvec3& wi, const glm::dv
 // Density per solid angle with which `sample` chooses wi; 0 unless both directions are above.
 double pdf(const PlainSurface& surface, const glm::dvec3& wi, const glm::dvec3& wo);
 
-// A direction of light for a viewer at wo, from u in [0, 1)^3: u.x chooses the coat with
-// probability F / (F + B), kept within [kMinChoice, 1 - kMinChoice], where F is the coat's Fresnel
-// reflectance at cos_theta_o and B the base's albedo or Fresnel reflectance there, averaged over
-// the channels; where both are 0, with kMinChoice. (u.y, u.z) choose the direction: a visible
-// normal's mirror direction, or a cosine-weighted one.
+// A direction of light for a viewer at wo, from u in [0, 1)^3 (one_coat.h), with the probability
+// F / (F + B) for the coat, where F is the coat's Fresnel reflectance at cos_theta_o and B the
+// base's albedo or Fresnel reflectance there, averaged over the channels.
 Sample sample(const PlainSurface& surface, const glm::dvec3& wo, const glm::dvec3& u);
 
 // The fraction of light from every direction that is sent to wo, to 1e-7; 0 unless wo is above.

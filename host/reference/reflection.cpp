@@ -69,7 +69,7 @@ glm::dvec3 reflection_sample(const Facets& facets, const glm::dvec3& wo, const g
 // Over facet slopes instead of wi (d wi = 4 dot(wo, wm) d wm, and D d wm = density of slopes /
 // wm.z), in polar coordinates whose radius is tan(x) in units of alpha: the integrand is then
 // smooth at every roughness, and the horizon of wi is the end of the inner interval.
-double reflection_albedo(const Facets& facets, std::complex<double> eta, const glm::dvec3& wo) {
+double reflection_integral(const Facets& facets, const glm::dvec3& wo, const Factor& factor) {
     const auto along_ray = [&](double psi) {
         const SlopeRay ray = slope_ray(facets, wo, psi);
         const auto integrand = [&](double x) {
@@ -80,8 +80,8 @@ double reflection_albedo(const Facets& facets, std::complex<double> eta, const g
             const glm::dvec3 wi = 2.0 * cos_theta * wm - wo;
             if (wi.z <= 0.0) return 0.0;  // rounding at the end of the interval
             return slope_density(facets.ndf, steepness) * steepness *
-                   (1.0 + steepness * steepness) * fresnel(cos_theta, eta) *
-                   masking_shadowing(facets, wi, wo) * cos_theta / (wm.z * wo.z);
+                   (1.0 + steepness * steepness) * factor(wi) * masking_shadowing(facets, wi, wo) *
+                   cos_theta / (wm.z * wo.z);
         };
         return Quadrature::integrate(integrand, 0.0, std::atan(ray.steepest), kMaxHalvings,
                                      kInnerTolerance);
@@ -89,6 +89,25 @@ double reflection_albedo(const Facets& facets, std::complex<double> eta, const g
     // From the azimuth of wo, so that symmetric halves split at a node.
     const double start = std::atan2(facets.alpha_y * wo.y, facets.alpha_x * wo.x);
     return Quadrature::integrate(along_ray, start, start + 2.0 * pi, kMaxHalvings, kOuterTolerance);
+}
+
+double cosine_integral(const glm::dvec3& wo, const Factor& factor) {
+    const double start = std::atan2(wo.y, wo.x);
+    const auto around = [&](double z) {
+        const double radius = std::sqrt((1.0 - z) * (1.0 + z));
+        const auto integrand = [&](double phi) {
+            return factor({radius * std::cos(phi), radius * std::sin(phi), z});
+        };
+        return z / pi *
+               Quadrature::integrate(integrand, start, start + 2.0 * pi, kMaxHalvings,
+                                     kInnerTolerance);
+    };
+    return Quadrature::integrate(around, 0.0, 1.0, kMaxHalvings, kOuterTolerance);
+}
+
+double reflection_albedo(const Facets& facets, std::complex<double> eta, const glm::dvec3& wo) {
+    return reflection_integral(
+        facets, wo, [&](const glm::dvec3& wi) { return fresnel(cos_theta_halfway(wi, wo), eta); });
 }
 
 }  // namespace lacquer::reference

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <functional>
 
 #include "reference/facets.h"
 
@@ -24,8 +25,16 @@ double reflection_pdf(const Facets& facets, const glm::dvec3& wi, const glm::dve
 // wo mirrored by a visible normal; it may point below the surface.
 glm::dvec3 reflection_sample(const Facets& facets, const glm::dvec3& wo, const glm::dvec2& u);
 
+// The integral over wi above the surface of reflection_lobe(wi, wo) factor(wi) cos_theta_i. By
+// adaptive quadrature, to 1e-7 for a smooth factor.
+using Factor = std::function<double(const glm::dvec3& wi)>;
+double reflection_integral(const Facets& facets, const glm::dvec3& wo, const Factor& factor);
+
+// The same of a Lambertian lobe, 1 / pi. The azimuth is counted from wo's.
+double cosine_integral(const glm::dvec3& wo, const Factor& factor);
+
 // Directional albedo of the lobe with the Fresnel factor of `eta`: the integral over wi above the
-// surface of F D G2 / (4 cos_theta_o). By adaptive quadrature, to 1e-7.
+// surface of F D G2 / (4 cos_theta_o), to 1e-7.
 double reflection_albedo(const Facets& facets, std::complex<double> eta, const glm::dvec3& wo);
 
 }  // namespace lacquer::reference

@@ -11,7 +11,7 @@
 
 namespace lacquer::viewer {
 
-inline constexpr std::size_t kSurfaceRows = 5;
+inline constexpr std::size_t kSurfaceRows = 6;
 inline constexpr std::size_t kMaxLights = 4;
 
 // LqSphereView of shader_src/viewer/view.glsl, byte for byte (std140).
@@ -24,7 +24,7 @@ struct SphereView {
     float pixel = 0.0f;
     std::uint32_t light_count = 0;
 };
-static_assert(sizeof(SphereView) == 240);
+static_assert(sizeof(SphereView) == 256);
 
 struct Scene {
     std::array<glm::vec4, kSurfaceRows> surface{};

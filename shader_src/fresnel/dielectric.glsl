@@ -28,4 +28,26 @@ float lq_fresnel_dielectric(const float cos_theta_i, const float eta) {
     return min(0.5 * (amplitude_s * amplitude_s + amplitude_p * amplitude_p), 1.0);
 }
 
+// 1 - `lq_fresnel_dielectric`, by the transmitted parts themselves: subtracted from 1, little of a
+// transmittance near grazing would be left.
+float lq_transmittance_dielectric(const float cos_theta_i, const float eta) {
+    const float c = clamp(cos_theta_i, 0.0, 1.0);
+    const float g_squared = (eta - 1.0) * (eta + 1.0) + c * c;
+    if (g_squared <= 0.0) {
+        return 0.0;
+    }
+    const float g = sqrt(g_squared);
+    const float denominator_s = c + g;
+    const float denominator_p = eta * eta * c + g;
+    return min(2.0 * c * g * (1.0 / (denominator_s * denominator_s) +
+                              eta * eta / (denominator_p * denominator_p)), 1.0);
+}
+
+// cos_theta_t, the cosine between the refracted direction and the normal; 0 beyond the critical
+// angle.
+float lq_refracted_cosine(const float cos_theta_i, const float eta) {
+    const float g_squared = (eta - 1.0) * (eta + 1.0) + cos_theta_i * cos_theta_i;
+    return sqrt(max(g_squared, 0.0)) / eta;
+}
+
 #endif

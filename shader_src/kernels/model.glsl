@@ -2,3 +2,12 @@
 #ifdef LQ_MODEL_PLAIN
 #include "model_plain.glsl"
 #endif
+#ifdef LQ_MODEL_CLEARCOAT
+#include "model_clearcoat.glsl"
+#endif
+#ifdef LQ_MODEL_WEIDLICH_WILKIE
+#include "model_weidlich_wilkie.glsl"
+#endif
+#ifdef LQ_MODEL_OPENPBR_COAT
+#include "model_openpbr_coat.glsl"
+#endif

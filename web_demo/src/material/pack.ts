@@ -1,5 +1,5 @@
-// A material as the rows of four numbers that the model `plain` reads: lq_plain_unpack of
-// shader_src/kernels/model_plain.glsl.
+// A material as the rows of four numbers that the model `plain` reads:
+// lq_one_coat_unpack of shader_src/kernels/one_coat_rows.glsl.
 import type { Material, Microsurface, Rgb } from "./material";
 
 export type Row = [number, number, number, number];
@@ -22,5 +22,6 @@ export function packPlain({ coat, base, exteriorIor }: Material): Row[] {
         [...albedo, 0],
         relative(conductor?.eta ?? [0, 0, 0]),
         relative(conductor?.kappa ?? [0, 0, 0]),
+        [0, 0, 0, 0], // optical depth: the model `plain` has no media
     ];
 }

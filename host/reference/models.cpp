@@ -1,0 +1,55 @@
+#include "reference/models.h"
+
+#include <utility>
+
+#include "reference/clearcoat.h"
+#include "reference/openpbr_coat.h"
+#include "reference/plain.h"
+#include "reference/weidlich_wilkie.h"
+
+namespace lacquer::reference {
+
+namespace {
+
+template <typename Surface>
+class SurfaceShading final : public Shading {
+ public:
+    explicit SurfaceShading(Surface surface) : surface_{std::move(surface)} {}
+
+    glm::dvec3 eval(const glm::dvec3& wi, const glm::dvec3& wo) const override {
+        return reference::eval(surface_, wi, wo);
+    }
+    double pdf(const glm::dvec3& wi, const glm::dvec3& wo) const override {
+        return reference::pdf(surface_, wi, wo);
+    }
+    Sample sample(const glm::dvec3& wo, const glm::dvec3& u) const override {
+        return reference::sample(surface_, wo, u);
+    }
+    Albedo albedo(const glm::dvec3& wo) const override { return reference::albedo(surface_, wo); }
+
+ private:
+    Surface surface_;
+};
+
+template <typename Surface>
+std::shared_ptr<const Shading> shading(Surface surface) {
+    return std::make_shared<const SurfaceShading<Surface>>(std::move(surface));
+}
+
+}  // namespace
+
+std::shared_ptr<const Shading> prepare(const Material& material, Model model) {
+    switch (model) {
+        case Model::plain:
+            return shading(prepare_plain(material));
+        case Model::clearcoat:
+            return shading(prepare_clearcoat(material));
+        case Model::weidlich_wilkie:
+            return shading(prepare_weidlich_wilkie(material));
+        case Model::openpbr_coat:
+            return shading(prepare_openpbr_coat(material));
+    }
+    return nullptr;
+}
+
+}  // namespace lacquer::reference
