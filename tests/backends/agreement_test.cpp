@@ -6,6 +6,8 @@
 
 #include "backends/jobs.h"
 #include "backends/truth.h"
+#include "lacquer/bsdf.h"
+#include "material/numbers.h"
 
 namespace lacquer::test {
 namespace {
@@ -51,6 +53,59 @@ TEST_P(BackendAgreement, WithTheReference) {
     EXPECT_GT(result.seconds, 0.0);
     expect_agreement(result.rows, expected_rows(owned.job(), result.rows));
 }
+
+// The other models on what tells them from `plain`: fewer queries, and a process per model, not per
+// kernel.
+class ModelAgreement : public ::testing::TestWithParam<std::tuple<std::string, Model>> {};
+
+TEST_P(ModelAgreement, WithTheReference) {
+    const auto& [name, model] = GetParam();
+    std::string skipped;
+    const auto backend = create_or_explain(name, skipped);
+    if (!backend) GTEST_SKIP() << skipped;
+    for (const Kernel kernel : {Kernel::eval, Kernel::sphere, Kernel::sample, Kernel::albedo}) {
+        OwnedJob owned = make_job(kernel, test_materials(), kernel == Kernel::albedo ? 32 : 1024);
+        owned.model = model;
+        const JobResult result = backend->run(owned.job());
+        SCOPED_TRACE(kernel_shape(kernel).name);
+        expect_agreement(result.rows, expected_rows(owned.job(), result.rows));
+    }
+}
+
+std::string model_test_name(const ::testing::TestParamInfo<ModelAgreement::ParamType>& test) {
+    std::string name = std::get<0>(test.param);
+    std::ranges::replace(name, '-', '_');
+    return fmt::format("{}_{}", name, model_level(std::get<1>(test.param)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, ModelAgreement,
+                         ::testing::Combine(::testing::ValuesIn(shader_backends()),
+                                            ::testing::ValuesIn(other_models())),
+                         model_test_name);
+
+// Two ways to write a model, both in double: what differs is a formula, not rounding.
+class Formula : public ::testing::TestWithParam<Model> {};
+
+TEST_P(Formula, OfTheShaderSourceIsThatOfTheReference) {
+    constexpr double kPolynomials = 1e-6;  // twice what they are worth: core/math.glsl
+    OwnedJob owned = make_job(Kernel::eval, test_materials(), 512);
+    owned.model = GetParam();
+    const Rows reference = backend_from_name("reference").create({})->run(owned.job()).rows;
+    for (std::size_t query = 0; query < reference.size(); ++query) {
+        const Material& material = owned.materials[query / owned.queries_per_material];
+        const Bsdf<double> bsdf = prepare<double>(as_shaders_read(material), owned.model);
+        const glm::dvec3 wi{owned.inputs[2 * query]};
+        const glm::dvec3 wo{owned.inputs[2 * query + 1]};
+        const glm::dvec4 row{bsdf.eval(wi, wo), bsdf.pdf(wi, wo)};
+        for (int c = 0; c < 4; ++c)
+            ASSERT_LE(relative_error(row[c], reference[query][c]), kPolynomials)
+                << material.name << " query " << query << " component " << c << ": " << row[c]
+                << ", expected " << reference[query][c];
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Formula, ::testing::ValuesIn(all_models()),
+                         [](const auto& test) { return std::string{model_level(test.param)}; });
 
 std::string test_name(const ::testing::TestParamInfo<BackendAgreement::ParamType>& test) {
     std::string name = std::get<0>(test.param);

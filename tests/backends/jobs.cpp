@@ -53,7 +53,14 @@ std::vector<glm::vec4> interleaved(const std::vector<glm::vec4>& even,
 }  // namespace
 
 Job OwnedJob::job() const {
-    return {Model::plain, kernel, materials, queries_per_material, inputs, parameters};
+    return {model, kernel, materials, queries_per_material, inputs, parameters};
+}
+
+std::vector<Model> other_models() {
+    std::vector<Model> models;
+    for (const Model model : all_models())
+        if (model != Model::plain) models.push_back(model);
+    return models;
 }
 
 std::vector<Material> test_materials() {
@@ -61,12 +68,15 @@ std::vector<Material> test_materials() {
     const Rgb gold_kappa{3.983, 2.386, 1.603};
     const ConductorBase gold{gold_eta, gold_kappa, Microsurface{Ndf::ggx, {0.2, 0.2}}};
     const ConductorBase brushed{gold_eta, gold_kappa, Microsurface{Ndf::beckmann, {0.1, 0.6}}};
+    const Layer tinted{{1.6, Microsurface{Ndf::ggx, {0.2, 0.2}}}, AbsorbingMedium{{0.9, 0.4, 0}}};
     return {{"glazed", 1.0, {coat(1.5, Ndf::ggx, 0.1, 0.1)}, LambertianBase{{0.8, 0.5, 0.1}}, {}},
             {"metal", 1.0, {}, gold, {}},
             {"brushed", 1.33, {}, brushed, {}},
             {"glass", 1.0, {coat(1.7, Ndf::beckmann, 0.4, 0.4)}, NoBase{}, {}},
             {"bubble", 1.5, {coat(1.0, Ndf::ggx, 0.3, 0.8)}, LambertianBase{{1, 1, 1}}, {}},
-            {"varnished metal", 1.0, {coat(1.4, Ndf::ggx, 0.05, 0.05)}, brushed, {}}};
+            {"varnished metal", 1.0, {coat(1.4, Ndf::ggx, 0.05, 0.05)}, brushed, {}},
+            {"tinted", 1.0, {tinted}, LambertianBase{{0.8, 0.8, 0.8}}, {}},
+            {"tinted metal", 1.0, {tinted}, gold, {}}};
 }
 
 std::vector<glm::vec4> directions(std::size_t count, double stream) {

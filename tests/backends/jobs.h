@@ -18,12 +18,16 @@ struct OwnedJob {
     std::uint64_t queries_per_material = 1;
     std::vector<glm::vec4> inputs;
     KernelParameters parameters;
+    Model model = Model::plain;
 
     Job job() const;
 };
 
 inline constexpr Kernel kAllKernels[] = {Kernel::eval,   Kernel::slice,  Kernel::sphere,
                                          Kernel::sample, Kernel::albedo, Kernel::copy};
+
+// All models but `plain`.
+std::vector<Model> other_models();
 
 // Coated and bare, dielectric and metal, both distributions, isotropic and not, no base.
 std::vector<Material> test_materials();

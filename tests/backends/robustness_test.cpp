@@ -62,7 +62,7 @@ std::vector<Material> extreme_materials() {
             bases.push_back(ConductorBase{{0, 1, 5}, {0, 0, 10}, facets});
             bases.push_back(ConductorBase{{0, 0, 1e-30}, {1e-30, 1, 10}, facets});
             for (const double ior : {1.0 / 3.0, 1.0, 1.0 + 1e-7, 3.0})
-                coats.push_back({{{ior, facets}, AbsorbingMedium{}}});
+                coats.push_back({{{ior, facets}, AbsorbingMedium{{0, 1e-30, 1}}}});
         }
     std::vector<Material> materials;
     for (const Base& base : bases)
@@ -108,25 +108,55 @@ std::string describe(const OwnedJob& owned, std::size_t query) {
 
 class BackendRobustness : public ::testing::TestWithParam<std::tuple<std::string, Kernel>> {};
 
+// Stops at the fifth, the rest would say no more.
+void expect_no_nan_infinity_or_negative_light(const OwnedJob& owned, const JobResult& result) {
+    const std::uint32_t stride = kernel_shape(owned.kernel).result_rows;
+    int failures = 0;
+    for (std::size_t row = 0; row < result.rows.size(); ++row)
+        for (int c = 0; c < 4; ++c) {
+            const double value = result.rows[row][c];
+            const bool is_direction = owned.kernel == Kernel::sample && row % 2 == 0 && c < 3;
+            if (std::isfinite(value) && (is_direction || value >= 0.0)) continue;
+            ADD_FAILURE() << describe(owned, row / stride) << ": row " << row % stride
+                          << " component " << c << " is " << value;
+            if (++failures == 5) return;
+        }
+}
+
 TEST_P(BackendRobustness, ReturnsNoNanInfinityOrNegativeLight) {
     const auto& [name, kernel] = GetParam();
     std::string skipped;
     const auto backend = create_or_explain(name, skipped);
     if (!backend) GTEST_SKIP() << skipped;
     const OwnedJob owned = strange_job(kernel);
-    const JobResult result = backend->run(owned.job());
-    const std::uint32_t stride = kernel_shape(kernel).result_rows;
-    int failures = 0;
-    for (std::size_t row = 0; row < result.rows.size(); ++row)
-        for (int c = 0; c < 4; ++c) {
-            const double value = result.rows[row][c];
-            const bool is_direction = kernel == Kernel::sample && row % 2 == 0 && c < 3;
-            if (std::isfinite(value) && (is_direction || value >= 0.0)) continue;
-            ADD_FAILURE() << describe(owned, row / stride) << ": row " << row % stride
-                          << " component " << c << " is " << value;
-            if (++failures == 5) return;  // the rest would say no more
-        }
+    expect_no_nan_infinity_or_negative_light(owned, backend->run(owned.job()));
 }
+
+class ModelRobustness : public ::testing::TestWithParam<std::tuple<std::string, Model>> {};
+
+TEST_P(ModelRobustness, ReturnsNoNanInfinityOrNegativeLight) {
+    const auto& [name, model] = GetParam();
+    std::string skipped;
+    const auto backend = create_or_explain(name, skipped);
+    if (!backend) GTEST_SKIP() << skipped;
+    for (const Kernel kernel : {Kernel::eval, Kernel::sample, Kernel::albedo}) {
+        OwnedJob owned = strange_job(kernel);
+        owned.model = model;
+        SCOPED_TRACE(kernel_shape(kernel).name);
+        expect_no_nan_infinity_or_negative_light(owned, backend->run(owned.job()));
+    }
+}
+
+std::string model_test_name(const ::testing::TestParamInfo<ModelRobustness::ParamType>& test) {
+    std::string name = std::get<0>(test.param);
+    std::ranges::replace(name, '-', '_');
+    return fmt::format("{}_{}", name, model_level(std::get<1>(test.param)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, ModelRobustness,
+                         ::testing::Combine(::testing::ValuesIn(shader_backends()),
+                                            ::testing::ValuesIn(other_models())),
+                         model_test_name);
 
 std::string test_name(const ::testing::TestParamInfo<BackendRobustness::ParamType>& test) {
     std::string name = std::get<0>(test.param);

@@ -19,7 +19,8 @@ Rows expected_samples(const Job& job, const Rows& rows) {
                         {job.materials.begin(), job.materials.end()},
                         job.queries_per_material,
                         {},
-                        {}};
+                        {},
+                        job.model};
     for (std::size_t query = 0; query < job.query_count(); ++query) {
         at_samples.inputs.emplace_back(glm::vec3{rows[2 * query]}, 0.0f);
         at_samples.inputs.push_back(job.inputs[2 * query]);
@@ -43,7 +44,7 @@ Rows expected_albedos(const Job& job) {
     for (std::size_t query = 0; query < job.query_count(); ++query) {
         const Material& material = job.materials[query / job.queries_per_material];
         const DirectionalAlbedo<double> albedo =
-            prepare<double>(rounded_to_float(material), job.model)
+            prepare<double>(as_shaders_read(material), job.model)
                 .albedo(glm::dvec3{job.inputs[query]}, point_count);
         expected.emplace_back(albedo.direct, 0.0);
         expected.emplace_back(albedo.base, 0.0);

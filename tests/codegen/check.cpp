@@ -64,7 +64,7 @@ codegen::Package with_constructs() {
     std::filesystem::copy_file(tests / "constructs.glsl", root / "plain" / "constructs.glsl");
     // The level includes them, so that its library has them too.
     const std::filesystem::path level = root / "plain" / "plain.glsl";
-    const std::string include = "#include \"surface.glsl\"\n";
+    const std::string include = "#include \"../one_coat/lobes.glsl\"\n";
     std::string text = read_file(level);
     text.insert(text.find(include), "#include \"constructs.glsl\"\n");
     write_file(level, text);

@@ -19,9 +19,9 @@ bool updating() {
     return std::getenv("UPDATE_GOLDEN") != nullptr;
 }
 
-// The kernel that stands for all others, and the library.
+// The kernel that stands for all others, and the library, of the level that stands for all others.
 bool is_kept(const ShaderFile& file) {
-    return file.form == Form::library || file.kernel == "eval";
+    return file.level == "plain" && (file.form == Form::library || file.kernel == "eval");
 }
 
 std::string first_difference(const std::string& expected, const std::string& actual) {

@@ -12,34 +12,34 @@
 namespace lacquer::shader_test {
 namespace {
 
-using shader::LqPlainSurface;
+using shader::LqOneCoat;
 
 constexpr double kPi = std::numbers::pi;
 
-LqPlainSurface glaze(double alpha, double eta, double albedo) {
+LqOneCoat glaze(double alpha, double eta, double albedo) {
     const shader::LqFacets coat{shader::LQ_NDF_GGX, real(alpha), real(alpha)};
-    return shader::lq_plain_prepare({coat, real(eta), shader::LQ_BASE_LAMBERTIAN,
+    return shader::lq_plain_prepare({coat, real(eta), vec3(real(0.0)), shader::LQ_BASE_LAMBERTIAN,
                                      vec3(real(albedo)), coat, vec3(real(1.0)), vec3(real(0.0))});
 }
 
-LqPlainSurface metal(int ndf, double alpha_x, double alpha_y) {
+LqOneCoat metal(int ndf, double alpha_x, double alpha_y) {
     const shader::LqFacets facets{ndf, real(alpha_x), real(alpha_y)};
-    return shader::lq_plain_prepare({facets, real(0.0), shader::LQ_BASE_CONDUCTOR, vec3(real(0.0)),
-                                     facets, vec3(real(0.143), real(0.375), real(1.442)),
-                                     vec3(real(3.983), real(2.386), real(1.603))});
+    return shader::lq_plain_prepare(
+        {facets, real(0.0), vec3(real(0.0)), shader::LQ_BASE_CONDUCTOR, vec3(real(0.0)), facets,
+         vec3(real(0.143), real(0.375), real(1.442)), vec3(real(3.983), real(2.386), real(1.603))});
 }
 
-std::vector<LqPlainSurface> surfaces() {
-    LqPlainSurface coated_metal = metal(shader::LQ_NDF_BECKMANN, 0.3, 0.3);
+std::vector<LqOneCoat> surfaces() {
+    LqOneCoat coated_metal = metal(shader::LQ_NDF_BECKMANN, 0.3, 0.3);
     coated_metal.coat_eta = real(1.5);
-    LqPlainSurface glass = glaze(0.2, 1.5, 0.0);
+    LqOneCoat glass = glaze(0.2, 1.5, 0.0);
     glass.base = shader::LQ_BASE_NONE;
     return {glaze(0.3, 1.5, 0.8), metal(shader::LQ_NDF_GGX, 0.2, 0.6),
             metal(shader::LQ_NDF_BECKMANN, 0.4, 0.4), coated_metal, glass};
 }
 
 TEST(Reflection, LobeIsReciprocal) {
-    for (const LqPlainSurface& surface : surfaces()) {
+    for (const LqOneCoat& surface : surfaces()) {
         const vec3 wi = direction(1.2, 0.4);
         const vec3 wo = direction(0.5, 2.9);
         const double forward =
@@ -60,7 +60,7 @@ TEST(Reflection, HalfwayCosineIsThatOfBothDirections) {
 
 TEST(Plain, PdfIntegratesToTheFractionThatLeavesUpwards) {
     // Visible normals mirror some of wo below the surface; lq_reflection_sample tells how much.
-    for (const LqPlainSurface& surface : surfaces()) {
+    for (const LqOneCoat& surface : surfaces()) {
         const vec3 wo = direction(1.0, 0.3);
         const double integral = test::integrate_hemisphere(
             [&](const glm::dvec3& w) {
@@ -83,7 +83,7 @@ TEST(Plain, PdfIntegratesToTheFractionThatLeavesUpwards) {
 TEST(Plain, AlbedoIsTheIntegralOfEvalCos) {
     constexpr int kPoints = 4096;
     constexpr double kPointError = 2e-3;  // of 4096 low-discrepancy points, by doubling them
-    for (const LqPlainSurface& surface : surfaces()) {
+    for (const LqOneCoat& surface : surfaces()) {
         const vec3 wo = direction(0.8, 1.0);
         const double integral = test::integrate_hemisphere(
             [&](const glm::dvec3& w) {
@@ -97,7 +97,7 @@ TEST(Plain, AlbedoIsTheIntegralOfEvalCos) {
 }
 
 TEST(Plain, SampleWeightIsEvalCosOverPdf) {
-    for (const LqPlainSurface& surface : surfaces())
+    for (const LqOneCoat& surface : surfaces())
         for (unsigned i = 0; i < 1000; ++i) {
             const shader::vec4 u = shader::lq_random_uniforms(glm::uvec4(i, 9u, 0u, 0u));
             const vec3 wo = direction(1.5 * static_cast<double>(u.w), 0.7);
@@ -114,13 +114,13 @@ TEST(Plain, SampleWeightIsEvalCosOverPdf) {
 }
 
 TEST(Plain, BareLambertianBaseIsAlbedoOverPi) {
-    const LqPlainSurface surface = glaze(0.3, 0.0, 0.6);
+    const LqOneCoat surface = glaze(0.3, 0.0, 0.6);
     const vec3 f = shader::lq_plain_eval(surface, direction(0.3, 0.0), direction(1.2, 1.0));
     EXPECT_NEAR(static_cast<double>(f.x), 0.6 / kPi, roundings(4));
 }
 
 TEST(Plain, NothingIsReflectedThroughTheSurface) {
-    for (const LqPlainSurface& surface : surfaces()) {
+    for (const LqOneCoat& surface : surfaces()) {
         EXPECT_EQ(shader::lq_plain_eval(surface, direction(2.0, 0.0), direction(1.0, 0.0)),
                   vec3(real(0.0)));
         EXPECT_EQ(shader::lq_plain_pdf(surface, direction(1.0, 0.0), direction(2.0, 0.0)),
@@ -144,9 +144,9 @@ TEST(Plain, IsFiniteAndNonNegativeForAnyFiniteInput) {
         for (const double eta : {0.0, 1e-20, 1.0, 3.0, 1e30})
             for (const int base : {0, 1, 2, 99}) {
                 const shader::LqFacets facets{base % 2, real(alpha), real(alpha / 2)};
-                const LqPlainSurface surface =
-                    shader::lq_plain_prepare({facets, real(eta), base, vec3(real(eta)), facets,
-                                              vec3(real(eta)), vec3(real(alpha))});
+                const LqOneCoat surface = shader::lq_plain_prepare(
+                    {facets, real(eta), vec3(real(alpha)), base, vec3(real(eta)), facets,
+                     vec3(real(eta)), vec3(real(alpha))});
                 for (const vec3& wi : directions)
                     for (const vec3& wo : directions) {
                         const vec3 f = shader::lq_plain_eval_cos(surface, wi, wo);

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL ES 3.00, functions only, for a shader with `precision highp float; precision highp int;`.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 dc7eef2823768f6baa22b03927e6e81bfaf29b16cc31e9b828ac16f5273d944d.
+// Generated; source sha256 80973babaac16098934943694662c8a533b1847317e27464db63dd2e0aa5331f.
 //
 // Directions are unit vectors in a local frame whose z is the normal: wi towards the light, wo
 // towards the viewer, wm a facet normal. f is the BSDF per steradian without the cosine; a name
@@ -232,6 +232,29 @@ float lq_fresnel_dielectric(float cos_theta_i, float eta) {
     float amplitude_p = contrast * (c * c * (eta * eta + 1.0) - 1.0) /
         (denominator_p * denominator_p);
     return min(0.5 * (amplitude_s * amplitude_s + amplitude_p * amplitude_p), 1.0);
+}
+
+// 1 - `lq_fresnel_dielectric`, by the transmitted parts themselves: subtracted from 1, little of a
+// transmittance near grazing would be left.
+float lq_transmittance_dielectric(float cos_theta_i, float eta) {
+    float c = clamp(cos_theta_i, 0.0, 1.0);
+    float g_squared = (eta - 1.0) * (eta + 1.0) + c * c;
+    if (g_squared <= 0.0) {
+        return 0.0;
+    }
+    float g = sqrt(g_squared);
+    float denominator_s = c + g;
+    float denominator_p = eta * eta * c + g;
+    return min(
+        2.0 * c * g * (
+        1.0 / (denominator_s * denominator_s) + eta * eta / (denominator_p * denominator_p)), 1.0);
+}
+
+// cos_theta_t, the cosine between the refracted direction and the normal; 0 beyond the critical
+// angle.
+float lq_refracted_cosine(float cos_theta_i, float eta) {
+    float g_squared = (eta - 1.0) * (eta + 1.0) + cos_theta_i * cos_theta_i;
+    return sqrt(max(g_squared, 0.0)) / eta;
 }
 
 // The Beckmann distribution of facet normals with Smith masking; anisotropic.
@@ -514,20 +537,25 @@ vec3 lq_reflection_sample(LqFacets facets, vec3 wo, vec2 u) {
     return wm * (2.0 * dot(wo, wm)) - wo;
 }
 
-// The surface that `lq_plain_*` shades: an optional dielectric coat over a base, as most engines
-// have it today.
+// The surface that the simple models shade: an optional dielectric coat over a Lambertian base or a
+// conductor.
 
 // What lies below the coat, or is seen bare.
 const int LQ_BASE_NONE = 0;
 const int LQ_BASE_LAMBERTIAN = 1;
 const int LQ_BASE_CONDUCTOR = 2;
 
+// exp(-80) is the smallest transmittance whose products are still normal floats.
+const float LQ_MAX_OPTICAL_DEPTH = 80.0;
+
 // `coat_eta` is the ior of the coat over that of the exterior, and 0 where there is no coat.
-// `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian base, the rest for a conductor,
-// whose `eta + i kappa` is relative to the exterior.
-struct LqPlainSurface {
+// `optical_depth` is that of the coat's medium along the normal, -log(tau): a logarithm taken on
+// the host costs no digits here. `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian
+// base, the rest for a conductor, whose `eta + i kappa` is relative to the exterior.
+struct LqOneCoat {
     LqFacets coat;
     float coat_eta;
+    vec3 optical_depth;
     int base;
     vec3 albedo;
     LqFacets base_facets;
@@ -535,20 +563,20 @@ struct LqPlainSurface {
     vec3 kappa;
 };
 
-// The surface with every parameter brought into its range: call it once per shading point.
-LqPlainSurface lq_plain_prepare(LqPlainSurface surface) {
+// The surface with every parameter brought into its range.
+LqOneCoat lq_one_coat_prepare(LqOneCoat surface) {
     float coat_eta = surface.coat_eta > 0.0 ? clamp(surface.coat_eta, LQ_MIN_ETA, LQ_MAX_ETA) : 0.0;
-    return LqPlainSurface(
+    return LqOneCoat(
         lq_facets_prepare(surface.coat.ndf, surface.coat.alpha_x, surface.coat.alpha_y), coat_eta,
-        surface.base, clamp(surface.albedo, vec3(0.0), vec3(1.0)),
+        clamp(surface.optical_depth, vec3(0.0), vec3(LQ_MAX_OPTICAL_DEPTH)), surface.base,
+        clamp(surface.albedo, vec3(0.0), vec3(1.0)),
         lq_facets_prepare(surface.base_facets.ndf, surface.base_facets.alpha_x,
         surface.base_facets.alpha_y), clamp(surface.eta, vec3(0.0), vec3(LQ_MAX_CONDUCTOR_INDEX)),
         clamp(surface.kappa, vec3(0.0), vec3(LQ_MAX_CONDUCTOR_INDEX)));
 }
 
-// The shading that most engines do today: the coat's single reflections plus the base as if it were
-// bare. No light passes from one to the other, so a coated base is too bright and nothing keeps
-// energy; it is the baseline that the layered models are measured against.
+// What the models of one coat share: the coat's single reflections, the base's lobe, and choosing a
+// direction from either. Surfaces are prepared; wi and wo are above the surface.
 // Based on: Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces
 
 // `wi` unit, `weight` = f cos_theta_i / pdf, `pdf` per solid angle. A sample that reflects nothing
@@ -566,10 +594,10 @@ struct LqAlbedo {
 };
 
 // A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-const float LQ_PLAIN_MIN_CHOICE = 0.1;
+const float LQ_MIN_CHOICE = 0.1;
 
-// The coat's part of f. `surface` prepared; wi and wo above the surface.
-float lq_plain_coat(LqPlainSurface surface, vec3 wi, vec3 wo) {
+// The coat's single reflections, part of f.
+float lq_coat_lobe(LqOneCoat surface, vec3 wi, vec3 wo) {
     if (surface.coat_eta <= 0.0) {
         return 0.0;
     }
@@ -577,91 +605,183 @@ float lq_plain_coat(LqPlainSurface surface, vec3 wi, vec3 wo) {
         lq_reflection_lobe(surface.coat, wi, wo);
 }
 
-// The base's part of f, as if no coat lay over it. `surface` prepared; wi and wo above the surface.
-vec3 lq_plain_base(LqPlainSurface surface, vec3 wi, vec3 wo) {
+// What the base would reflect at this angle were it smooth, in a medium of ior `eta_above` over the
+// exterior's: its albedo, or its Fresnel reflectance.
+vec3 lq_base_reflectance(LqOneCoat surface, float cos_theta, float eta_above) {
     if (surface.base == LQ_BASE_LAMBERTIAN) {
-        return surface.albedo * LQ_INVERSE_PI;
+        return surface.albedo;
     }
     if (surface.base == LQ_BASE_CONDUCTOR) {
-        float cos_theta = lq_cos_theta_halfway(wi, wo);
-        return lq_fresnel_conductor_rgb(cos_theta, surface.eta, surface.kappa) *
-            lq_reflection_lobe(surface.base_facets, wi, wo);
+        float scale = 1.0 / eta_above;
+        return lq_fresnel_conductor_rgb(cos_theta, surface.eta * scale, surface.kappa * scale);
     }
     return vec3(0.0);
 }
 
-// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
-vec3 lq_plain_eval(LqPlainSurface surface, vec3 wi, vec3 wo) {
-    if (!lq_is_above(wi)) {
-        return vec3(0.0);
+// The base's f, as if no coat lay over it, in a medium of ior `eta_above` over the exterior's.
+vec3 lq_base_lobe(LqOneCoat surface, vec3 wi, vec3 wo, float eta_above) {
+    vec3 reflectance = lq_base_reflectance(surface, lq_cos_theta_halfway(wi, wo), eta_above);
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return reflectance * lq_reflection_lobe(surface.base_facets, wi, wo);
     }
-    if (!lq_is_above(wo)) {
-        return vec3(0.0);
-    }
-    return lq_plain_base(surface, wi, wo) + vec3(lq_plain_coat(surface, wi, wo));
+    return reflectance * LQ_INVERSE_PI;
 }
 
-// f(wi, wo) cos_theta_i.
-vec3 lq_plain_eval_cos(LqPlainSurface surface, vec3 wi, vec3 wo) {
-    return lq_plain_eval(surface, wi, wo) * max(wi.z, 0.0);
+// Density of `lq_base_direction`.
+float lq_base_pdf(LqOneCoat surface, vec3 wi, vec3 wo) {
+    if (surface.base == LQ_BASE_LAMBERTIAN) {
+        return lq_cosine_hemisphere_pdf(wi.z);
+    }
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return lq_reflection_pdf(surface.base_facets, wi, wo);
+    }
+    return 0.0;
 }
 
-// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
-// base would reflect were they smooth.
-float lq_plain_coat_choice(LqPlainSurface surface, vec3 wo) {
+// A direction in which the base reflects, from two uniform numbers: wo mirrored by a visible facet,
+// or by the cosine. May point below the surface.
+vec3 lq_base_direction(LqOneCoat surface, vec3 wo, vec2 u) {
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return lq_reflection_sample(surface.base_facets, wo, u);
+    }
+    return lq_sample_cosine_hemisphere(u);
+}
+
+// How often a direction is chosen from the coat where it reflects the fraction `coat` and the base
+// the fraction `base`.
+float lq_coat_choice(LqOneCoat surface, float coat, float base) {
     if (surface.coat_eta <= 0.0) {
         return 0.0;
     }
     if (surface.base == LQ_BASE_NONE) {
         return 1.0;
     }
-    float coat = lq_fresnel_dielectric(wo.z, surface.coat_eta);
-    float base = lq_average(surface.albedo);
-    if (surface.base == LQ_BASE_CONDUCTOR) {
-        base = lq_average(lq_fresnel_conductor_rgb(wo.z, surface.eta, surface.kappa));
+    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_MIN_CHOICE, 1.0 - LQ_MIN_CHOICE);
+}
+
+// Density per solid angle of `lq_one_coat_direction`.
+float lq_one_coat_pdf(LqOneCoat surface, float coat_choice, vec3 wi, vec3 wo) {
+    float pdf = 0.0;
+    if (coat_choice > 0.0) {
+        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
     }
-    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_PLAIN_MIN_CHOICE,
-        1.0 - LQ_PLAIN_MIN_CHOICE);
+    return pdf + (1.0 - coat_choice) * lq_base_pdf(surface, wi, wo);
+}
+
+// Direction of light for a viewer at wo, from three uniform numbers in [0, 1): the first chooses
+// the coat with probability `coat_choice`, or the base; the others the direction within its lobe.
+// May point below the surface.
+vec3 lq_one_coat_direction(LqOneCoat surface, float coat_choice, vec3 wo, vec3 u) {
+    vec2 square = u.yz;
+    if (u.x < coat_choice) {
+        return lq_reflection_sample(surface.coat, wo, square);
+    }
+    return lq_base_direction(surface, wo, square);
+}
+
+// The fraction of facets seen from wo whose mirrored light no other facet hides, for a direction of
+// `lq_reflection_sample`: its lobe without F, times cos_theta_i, over its density.
+float lq_shown_fraction(LqFacets facets, vec3 wi, vec3 wo) {
+    if (!lq_is_above(wi)) {
+        return 0.0;
+    }
+    return lq_facets_masking_shadowing(facets, wi, wo) / lq_facets_masking(facets, wo);
+}
+
+// Directional albedo of `lq_coat_lobe`, by averaging `point_count` low-discrepancy samples.
+float lq_coat_albedo(LqOneCoat surface, vec3 wo, int point_count) {
+    if (surface.coat_eta <= 0.0) {
+        return 0.0;
+    }
+    float share = 1.0 / float(max(point_count, 1));
+    float albedo = 0.0;
+    for (int index = 0; index < point_count; index++) {
+        vec2 square = lq_low_discrepancy_point(uint(index));
+        vec3 wi = lq_reflection_sample(surface.coat, wo, square);
+        albedo += share * lq_shown_fraction(surface.coat, wi, wo) *
+            lq_fresnel_dielectric(lq_cos_theta_halfway(wi, wo), surface.coat_eta);
+    }
+    return albedo;
+}
+
+// `lq_base_lobe` times cos_theta_i over `lq_base_pdf`, for a direction of `lq_base_direction`.
+vec3 lq_base_weight(LqOneCoat surface, vec3 wi, vec3 wo, float eta_above) {
+    vec3 reflectance = lq_base_reflectance(surface, lq_cos_theta_halfway(wi, wo), eta_above);
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return reflectance * lq_shown_fraction(surface.base_facets, wi, wo);
+    }
+    return reflectance;
+}
+
+// Directional albedo of `lq_base_lobe` below the exterior, a conductor's by averaging `point_count`
+// low-discrepancy samples.
+vec3 lq_base_albedo(LqOneCoat surface, vec3 wo, int point_count) {
+    if (surface.base != LQ_BASE_CONDUCTOR) {
+        return lq_base_reflectance(surface, wo.z, 1.0);
+    }
+    float share = 1.0 / float(max(point_count, 1));
+    vec3 albedo = vec3(0.0);
+    for (int index = 0; index < point_count; index++) {
+        vec3 wi = lq_base_direction(surface, wo, lq_low_discrepancy_point(uint(index)));
+        albedo += lq_base_weight(surface, wi, wo, 1.0) * share;
+    }
+    return albedo;
+}
+
+// The shading that most engines do today: the coat's single reflections plus the base as if it were
+// bare. No light passes from one to the other, so a coated base is too bright and nothing keeps
+// energy; it is the baseline that the layered models are measured against. The coat's medium does
+// not absorb.
+// Based on: Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces
+
+// The surface with every parameter brought into its range: call it once per shading point.
+LqOneCoat lq_plain_prepare(LqOneCoat surface) {
+    return lq_one_coat_prepare(surface);
+}
+
+// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
+vec3 lq_plain_eval(LqOneCoat surface, vec3 wi, vec3 wo) {
+    if (!lq_is_above(wi)) {
+        return vec3(0.0);
+    }
+    if (!lq_is_above(wo)) {
+        return vec3(0.0);
+    }
+    return lq_base_lobe(surface, wi, wo, 1.0) + vec3(lq_coat_lobe(surface, wi, wo));
+}
+
+// f(wi, wo) cos_theta_i.
+vec3 lq_plain_eval_cos(LqOneCoat surface, vec3 wi, vec3 wo) {
+    return lq_plain_eval(surface, wi, wo) * max(wi.z, 0.0);
+}
+
+// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
+// base would reflect were they smooth.
+float lq_plain_coat_choice(LqOneCoat surface, vec3 wo) {
+    return lq_coat_choice(surface, lq_fresnel_dielectric(wo.z, surface.coat_eta),
+        lq_average(lq_base_reflectance(surface, wo.z, 1.0)));
 }
 
 // Density per solid angle with which `lq_plain_sample` chooses wi; 0 unless both directions are
 // above the surface. `surface` prepared.
-float lq_plain_pdf(LqPlainSurface surface, vec3 wi, vec3 wo) {
+float lq_plain_pdf(LqOneCoat surface, vec3 wi, vec3 wo) {
     if (!lq_is_above(wi)) {
         return 0.0;
     }
     if (!lq_is_above(wo)) {
         return 0.0;
     }
-    float coat_choice = lq_plain_coat_choice(surface, wo);
-    float pdf = 0.0;
-    if (coat_choice > 0.0) {
-        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
-    }
-    if (surface.base == LQ_BASE_LAMBERTIAN) {
-        pdf += (1.0 - coat_choice) * lq_cosine_hemisphere_pdf(wi.z);
-    }
-    if (surface.base == LQ_BASE_CONDUCTOR) {
-        pdf += (1.0 - coat_choice) * lq_reflection_pdf(surface.base_facets, wi, wo);
-    }
-    return pdf;
+    return lq_one_coat_pdf(surface, lq_plain_coat_choice(surface, wo), wi, wo);
 }
 
 // Direction of light for a viewer at wo, from three uniform numbers in [0, 1): the first chooses
 // the lobe, the others the direction within it. `surface` prepared.
-LqSample lq_plain_sample(LqPlainSurface surface, vec3 wo, vec3 u) {
+LqSample lq_plain_sample(LqOneCoat surface, vec3 wo, vec3 u) {
     if (!lq_is_above(wo)) {
         return LqSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0);
     }
-    vec2 square = u.yz;
-    vec3 wi = vec3(0.0, 0.0, 1.0);
-    if (u.x < lq_plain_coat_choice(surface, wo)) {
-        wi = lq_reflection_sample(surface.coat, wo, square);
-    } else if (surface.base == LQ_BASE_CONDUCTOR) {
-        wi = lq_reflection_sample(surface.base_facets, wo, square);
-    } else {
-        wi = lq_sample_cosine_hemisphere(square);
-    }
+    float coat_choice = lq_plain_coat_choice(surface, wo);
+    vec3 wi = lq_one_coat_direction(surface, coat_choice, wo, u);
     float pdf = lq_plain_pdf(surface, wi, wo);
     if (pdf <= 0.0) {
         return LqSample(wi, vec3(0.0), 0.0);
@@ -671,37 +791,10 @@ LqSample lq_plain_sample(LqPlainSurface surface, vec3 wo, vec3 u) {
 
 // Fraction of light from every direction that the coat and the base send to wo, by averaging
 // `point_count` low-discrepancy samples of each (256 give about three digits). `surface` prepared.
-LqAlbedo lq_plain_albedo(LqPlainSurface surface, vec3 wo, int point_count) {
-    LqAlbedo albedo = LqAlbedo(vec3(0.0), vec3(0.0));
+LqAlbedo lq_plain_albedo(LqOneCoat surface, vec3 wo, int point_count) {
     if (!lq_is_above(wo)) {
-        return albedo;
+        return LqAlbedo(vec3(0.0), vec3(0.0));
     }
-    if (surface.base == LQ_BASE_LAMBERTIAN) {
-        albedo.base = surface.albedo;
-    }
-    float share = 1.0 / float(max(point_count, 1));
-    for (int index = 0; index < point_count; index++) {
-        vec2 square = lq_low_discrepancy_point(uint(index));
-        if (surface.coat_eta > 0.0) {
-            vec3 wi = lq_reflection_sample(surface.coat, wo, square);
-            if (lq_is_above(wi)) {
-                float shown = lq_facets_masking_shadowing(surface.coat, wi, wo) /
-                    lq_facets_masking(surface.coat, wo);
-                float cos_theta = lq_cos_theta_halfway(wi, wo);
-                albedo.direct +=
-                    vec3(share * shown * lq_fresnel_dielectric(cos_theta, surface.coat_eta));
-            }
-        }
-        if (surface.base == LQ_BASE_CONDUCTOR) {
-            vec3 wi = lq_reflection_sample(surface.base_facets, wo, square);
-            if (lq_is_above(wi)) {
-                float shown = lq_facets_masking_shadowing(surface.base_facets, wi, wo) /
-                    lq_facets_masking(surface.base_facets, wo);
-                float cos_theta = lq_cos_theta_halfway(wi, wo);
-                albedo.base += lq_fresnel_conductor_rgb(cos_theta, surface.eta, surface.kappa) *
-                    (share * shown);
-            }
-        }
-    }
-    return albedo;
+    return LqAlbedo(vec3(lq_coat_albedo(surface, wo, point_count)),
+        lq_base_albedo(surface, wo, point_count));
 }

@@ -2,7 +2,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL ES 3.10, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 2016825d3199f4de3dfc69a82061d53859926d6d833221f9e07b550441a81258.
+// Generated; source sha256 dc7120adbe093fbed11a930c67319529847d3c42dceba88ac0f3bc9bf969c55b.
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
@@ -47,12 +47,17 @@ const int LQ_BASE_NONE = 0;
 const int LQ_BASE_LAMBERTIAN = 1;
 const int LQ_BASE_CONDUCTOR = 2;
 
+// exp(-80) is the smallest transmittance whose products are still normal floats.
+const float LQ_MAX_OPTICAL_DEPTH = 80.0;
+
 // `coat_eta` is the ior of the coat over that of the exterior, and 0 where there is no coat.
-// `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian base, the rest for a conductor,
-// whose `eta + i kappa` is relative to the exterior.
-struct LqPlainSurface {
+// `optical_depth` is that of the coat's medium along the normal, -log(tau): a logarithm taken on
+// the host costs no digits here. `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian
+// base, the rest for a conductor, whose `eta + i kappa` is relative to the exterior.
+struct LqOneCoat {
     LqFacets coat;
     float coat_eta;
+    vec3 optical_depth;
     int base;
     vec3 albedo;
     LqFacets base_facets;
@@ -61,7 +66,7 @@ struct LqPlainSurface {
 };
 
 // A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-const float LQ_PLAIN_MIN_CHOICE = 0.1;
+const float LQ_MIN_CHOICE = 0.1;
 
 layout(binding = 2, std430) readonly buffer LqInputs {
     vec4 rows[];
@@ -293,19 +298,20 @@ float lq_reflection_pdf(LqFacets facets, vec3 wi, vec3 wo) {
     return 0.25 * density / max(wo.z + lambda_o, LQ_MIN_COSINE_PRODUCT);
 }
 
-// The surface with every parameter brought into its range: call it once per shading point.
-LqPlainSurface lq_plain_prepare(LqPlainSurface surface) {
+// The surface with every parameter brought into its range.
+LqOneCoat lq_one_coat_prepare(LqOneCoat surface) {
     float coat_eta = surface.coat_eta > 0.0 ? clamp(surface.coat_eta, LQ_MIN_ETA, LQ_MAX_ETA) : 0.0;
-    return LqPlainSurface(
+    return LqOneCoat(
         lq_facets_prepare(surface.coat.ndf, surface.coat.alpha_x, surface.coat.alpha_y), coat_eta,
-        surface.base, clamp(surface.albedo, vec3(0.0), vec3(1.0)),
+        clamp(surface.optical_depth, vec3(0.0), vec3(LQ_MAX_OPTICAL_DEPTH)), surface.base,
+        clamp(surface.albedo, vec3(0.0), vec3(1.0)),
         lq_facets_prepare(surface.base_facets.ndf, surface.base_facets.alpha_x,
         surface.base_facets.alpha_y), clamp(surface.eta, vec3(0.0), vec3(LQ_MAX_CONDUCTOR_INDEX)),
         clamp(surface.kappa, vec3(0.0), vec3(LQ_MAX_CONDUCTOR_INDEX)));
 }
 
-// The coat's part of f. `surface` prepared; wi and wo above the surface.
-float lq_plain_coat(LqPlainSurface surface, vec3 wi, vec3 wo) {
+// The coat's single reflections, part of f.
+float lq_coat_lobe(LqOneCoat surface, vec3 wi, vec3 wo) {
     if (surface.coat_eta <= 0.0) {
         return 0.0;
     }
@@ -313,82 +319,107 @@ float lq_plain_coat(LqPlainSurface surface, vec3 wi, vec3 wo) {
         lq_reflection_lobe(surface.coat, wi, wo);
 }
 
-// The base's part of f, as if no coat lay over it. `surface` prepared; wi and wo above the surface.
-vec3 lq_plain_base(LqPlainSurface surface, vec3 wi, vec3 wo) {
+// What the base would reflect at this angle were it smooth, in a medium of ior `eta_above` over the
+// exterior's: its albedo, or its Fresnel reflectance.
+vec3 lq_base_reflectance(LqOneCoat surface, float cos_theta, float eta_above) {
     if (surface.base == LQ_BASE_LAMBERTIAN) {
-        return surface.albedo * LQ_INVERSE_PI;
+        return surface.albedo;
     }
     if (surface.base == LQ_BASE_CONDUCTOR) {
-        float cos_theta = lq_cos_theta_halfway(wi, wo);
-        return lq_fresnel_conductor_rgb(cos_theta, surface.eta, surface.kappa) *
-            lq_reflection_lobe(surface.base_facets, wi, wo);
+        float scale = 1.0 / eta_above;
+        return lq_fresnel_conductor_rgb(cos_theta, surface.eta * scale, surface.kappa * scale);
     }
     return vec3(0.0);
 }
 
-// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
-vec3 lq_plain_eval(LqPlainSurface surface, vec3 wi, vec3 wo) {
-    if (!lq_is_above(wi)) {
-        return vec3(0.0);
+// The base's f, as if no coat lay over it, in a medium of ior `eta_above` over the exterior's.
+vec3 lq_base_lobe(LqOneCoat surface, vec3 wi, vec3 wo, float eta_above) {
+    vec3 reflectance = lq_base_reflectance(surface, lq_cos_theta_halfway(wi, wo), eta_above);
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return reflectance * lq_reflection_lobe(surface.base_facets, wi, wo);
     }
-    if (!lq_is_above(wo)) {
-        return vec3(0.0);
-    }
-    return lq_plain_base(surface, wi, wo) + vec3(lq_plain_coat(surface, wi, wo));
+    return reflectance * LQ_INVERSE_PI;
 }
 
-// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
-// base would reflect were they smooth.
-float lq_plain_coat_choice(LqPlainSurface surface, vec3 wo) {
+// Density of `lq_base_direction`.
+float lq_base_pdf(LqOneCoat surface, vec3 wi, vec3 wo) {
+    if (surface.base == LQ_BASE_LAMBERTIAN) {
+        return lq_cosine_hemisphere_pdf(wi.z);
+    }
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return lq_reflection_pdf(surface.base_facets, wi, wo);
+    }
+    return 0.0;
+}
+
+// How often a direction is chosen from the coat where it reflects the fraction `coat` and the base
+// the fraction `base`.
+float lq_coat_choice(LqOneCoat surface, float coat, float base) {
     if (surface.coat_eta <= 0.0) {
         return 0.0;
     }
     if (surface.base == LQ_BASE_NONE) {
         return 1.0;
     }
-    float coat = lq_fresnel_dielectric(wo.z, surface.coat_eta);
-    float base = lq_average(surface.albedo);
-    if (surface.base == LQ_BASE_CONDUCTOR) {
-        base = lq_average(lq_fresnel_conductor_rgb(wo.z, surface.eta, surface.kappa));
+    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_MIN_CHOICE, 1.0 - LQ_MIN_CHOICE);
+}
+
+// Density per solid angle of `lq_one_coat_direction`.
+float lq_one_coat_pdf(LqOneCoat surface, float coat_choice, vec3 wi, vec3 wo) {
+    float pdf = 0.0;
+    if (coat_choice > 0.0) {
+        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
     }
-    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_PLAIN_MIN_CHOICE,
-        1.0 - LQ_PLAIN_MIN_CHOICE);
+    return pdf + (1.0 - coat_choice) * lq_base_pdf(surface, wi, wo);
+}
+
+// The surface with every parameter brought into its range: call it once per shading point.
+LqOneCoat lq_plain_prepare(LqOneCoat surface) {
+    return lq_one_coat_prepare(surface);
+}
+
+// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
+vec3 lq_plain_eval(LqOneCoat surface, vec3 wi, vec3 wo) {
+    if (!lq_is_above(wi)) {
+        return vec3(0.0);
+    }
+    if (!lq_is_above(wo)) {
+        return vec3(0.0);
+    }
+    return lq_base_lobe(surface, wi, wo, 1.0) + vec3(lq_coat_lobe(surface, wi, wo));
+}
+
+// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
+// base would reflect were they smooth.
+float lq_plain_coat_choice(LqOneCoat surface, vec3 wo) {
+    return lq_coat_choice(surface, lq_fresnel_dielectric(wo.z, surface.coat_eta),
+        lq_average(lq_base_reflectance(surface, wo.z, 1.0)));
 }
 
 // Density per solid angle with which `lq_plain_sample` chooses wi; 0 unless both directions are
 // above the surface. `surface` prepared.
-float lq_plain_pdf(LqPlainSurface surface, vec3 wi, vec3 wo) {
+float lq_plain_pdf(LqOneCoat surface, vec3 wi, vec3 wo) {
     if (!lq_is_above(wi)) {
         return 0.0;
     }
     if (!lq_is_above(wo)) {
         return 0.0;
     }
-    float coat_choice = lq_plain_coat_choice(surface, wo);
-    float pdf = 0.0;
-    if (coat_choice > 0.0) {
-        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
-    }
-    if (surface.base == LQ_BASE_LAMBERTIAN) {
-        pdf += (1.0 - coat_choice) * lq_cosine_hemisphere_pdf(wi.z);
-    }
-    if (surface.base == LQ_BASE_CONDUCTOR) {
-        pdf += (1.0 - coat_choice) * lq_reflection_pdf(surface.base_facets, wi, wo);
-    }
-    return pdf;
+    return lq_one_coat_pdf(surface, lq_plain_coat_choice(surface, wo), wi, wo);
 }
 
-// The prepared surface that five packed rows describe.
-LqPlainSurface lq_plain_unpack(vec4 coat, vec4 base, vec4 albedo, vec4 eta, vec4 kappa) {
+// The surface that six packed rows describe.
+LqOneCoat lq_one_coat_unpack(vec4 coat, vec4 base, vec4 albedo, vec4 eta, vec4 kappa,
+        vec4 optical_depth) {
+    return LqOneCoat(LqFacets(int(coat.w), coat.x, coat.y), coat.z, optical_depth.xyz, int(base.z),
+        albedo.xyz, LqFacets(int(base.w), base.x, base.y), eta.xyz, kappa.xyz);
+}
+
+LqOneCoat lq_model_surface(uint query) {
+    uint row = query / parameters.queries_per_surface * 6u;
     return lq_plain_prepare(
-        LqPlainSurface(LqFacets(int(coat.w), coat.x, coat.y), coat.z, int(base.z), albedo.xyz,
-        LqFacets(int(base.w), base.x, base.y), eta.xyz, kappa.xyz));
-}
-
-LqPlainSurface lq_model_surface(uint query) {
-    uint row = query / parameters.queries_per_surface * 5u;
-    return lq_plain_unpack(surfaces.rows[row], surfaces.rows[row + 1u], surfaces.rows[row + 2u],
-        surfaces.rows[row + 3u], surfaces.rows[row + 4u]);
+        lq_one_coat_unpack(surfaces.rows[row], surfaces.rows[row + 1u], surfaces.rows[row + 2u],
+        surfaces.rows[row + 3u], surfaces.rows[row + 4u], surfaces.rows[row + 5u]));
 }
 
 // Inputs: wi, wo per query. Results: (f, pdf).
@@ -397,7 +428,7 @@ void main() {
     if (query >= parameters.query_count) {
         return;
     }
-    LqPlainSurface surface = lq_model_surface(query);
+    LqOneCoat surface = lq_model_surface(query);
     vec3 wi = lq_input_vector(2u * query);
     vec3 wo = lq_input_vector(2u * query + 1u);
     results.rows[query] = vec4(lq_plain_eval(surface, wi, wo), lq_plain_pdf(surface, wi, wo));

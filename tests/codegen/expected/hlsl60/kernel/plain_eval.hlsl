@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 6.0, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 2016825d3199f4de3dfc69a82061d53859926d6d833221f9e07b550441a81258.
+// Generated; source sha256 dc7120adbe093fbed11a930c67319529847d3c42dceba88ac0f3bc9bf969c55b.
 
 static const float LQ_PI = 3.1415927f;
 static const float LQ_INVERSE_PI = 0.31830987f;
@@ -44,12 +44,17 @@ static const int LQ_BASE_NONE = 0;
 static const int LQ_BASE_LAMBERTIAN = 1;
 static const int LQ_BASE_CONDUCTOR = 2;
 
+// exp(-80) is the smallest transmittance whose products are still normal floats.
+static const float LQ_MAX_OPTICAL_DEPTH = 80.0f;
+
 // `coat_eta` is the ior of the coat over that of the exterior, and 0 where there is no coat.
-// `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian base, the rest for a conductor,
-// whose `eta + i kappa` is relative to the exterior.
-struct LqPlainSurface {
+// `optical_depth` is that of the coat's medium along the normal, -log(tau): a logarithm taken on
+// the host costs no digits here. `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian
+// base, the rest for a conductor, whose `eta + i kappa` is relative to the exterior.
+struct LqOneCoat {
     LqFacets coat;
     float coat_eta;
+    float3 optical_depth;
     int base;
     float3 albedo;
     LqFacets base_facets;
@@ -58,7 +63,7 @@ struct LqPlainSurface {
 };
 
 // A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-static const float LQ_PLAIN_MIN_CHOICE = 0.1f;
+static const float LQ_MIN_CHOICE = 0.1f;
 
 ByteAddressBuffer inputs : register(t2, space0);
 
@@ -286,12 +291,13 @@ float lq_reflection_pdf(LqFacets facets, float3 wi, float3 wo) {
     return 0.25f * density / max(wo.z + lambda_o, LQ_MIN_COSINE_PRODUCT);
 }
 
-// The surface with every parameter brought into its range: call it once per shading point.
-LqPlainSurface lq_plain_prepare(LqPlainSurface surface) {
+// The surface with every parameter brought into its range.
+LqOneCoat lq_one_coat_prepare(LqOneCoat surface) {
     float coat_eta = surface.coat_eta > 0.0f ? clamp(surface.coat_eta, LQ_MIN_ETA, LQ_MAX_ETA)
         : 0.0f;
-    LqPlainSurface result = {
+    LqOneCoat result = {
         lq_facets_prepare(surface.coat.ndf, surface.coat.alpha_x, surface.coat.alpha_y), coat_eta,
+        clamp(surface.optical_depth, float3(0.0f, 0.0f, 0.0f), LQ_MAX_OPTICAL_DEPTH.xxx),
         surface.base, clamp(surface.albedo, float3(0.0f, 0.0f, 0.0f), float3(1.0f, 1.0f, 1.0f)),
         lq_facets_prepare(surface.base_facets.ndf, surface.base_facets.alpha_x,
         surface.base_facets.alpha_y),
@@ -300,8 +306,8 @@ LqPlainSurface lq_plain_prepare(LqPlainSurface surface) {
     return result;
 }
 
-// The coat's part of f. `surface` prepared; wi and wo above the surface.
-float lq_plain_coat(LqPlainSurface surface, float3 wi, float3 wo) {
+// The coat's single reflections, part of f.
+float lq_coat_lobe(LqOneCoat surface, float3 wi, float3 wo) {
     if (surface.coat_eta <= 0.0f) {
         return 0.0f;
     }
@@ -309,85 +315,112 @@ float lq_plain_coat(LqPlainSurface surface, float3 wi, float3 wo) {
         lq_reflection_lobe(surface.coat, wi, wo);
 }
 
-// The base's part of f, as if no coat lay over it. `surface` prepared; wi and wo above the surface.
-float3 lq_plain_base(LqPlainSurface surface, float3 wi, float3 wo) {
+// What the base would reflect at this angle were it smooth, in a medium of ior `eta_above` over the
+// exterior's: its albedo, or its Fresnel reflectance.
+float3 lq_base_reflectance(LqOneCoat surface, float cos_theta, float eta_above) {
     if (surface.base == LQ_BASE_LAMBERTIAN) {
-        return surface.albedo * LQ_INVERSE_PI;
+        return surface.albedo;
     }
     if (surface.base == LQ_BASE_CONDUCTOR) {
-        float cos_theta = lq_cos_theta_halfway(wi, wo);
-        return lq_fresnel_conductor_rgb(cos_theta, surface.eta, surface.kappa) *
-            lq_reflection_lobe(surface.base_facets, wi, wo);
+        float scale = 1.0f / eta_above;
+        return lq_fresnel_conductor_rgb(cos_theta, surface.eta * scale, surface.kappa * scale);
     }
     return float3(0.0f, 0.0f, 0.0f);
 }
 
-// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
-float3 lq_plain_eval(LqPlainSurface surface, float3 wi, float3 wo) {
-    if (!lq_is_above(wi)) {
-        return float3(0.0f, 0.0f, 0.0f);
+// The base's f, as if no coat lay over it, in a medium of ior `eta_above` over the exterior's.
+float3 lq_base_lobe(LqOneCoat surface, float3 wi, float3 wo, float eta_above) {
+    float3 reflectance = lq_base_reflectance(surface, lq_cos_theta_halfway(wi, wo), eta_above);
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return reflectance * lq_reflection_lobe(surface.base_facets, wi, wo);
     }
-    if (!lq_is_above(wo)) {
-        return float3(0.0f, 0.0f, 0.0f);
-    }
-    return lq_plain_base(surface, wi, wo) + lq_plain_coat(surface, wi, wo).xxx;
+    return reflectance * LQ_INVERSE_PI;
 }
 
-// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
-// base would reflect were they smooth.
-float lq_plain_coat_choice(LqPlainSurface surface, float3 wo) {
+// Density of `lq_base_direction`.
+float lq_base_pdf(LqOneCoat surface, float3 wi, float3 wo) {
+    if (surface.base == LQ_BASE_LAMBERTIAN) {
+        return lq_cosine_hemisphere_pdf(wi.z);
+    }
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return lq_reflection_pdf(surface.base_facets, wi, wo);
+    }
+    return 0.0f;
+}
+
+// How often a direction is chosen from the coat where it reflects the fraction `coat` and the base
+// the fraction `base`.
+float lq_coat_choice(LqOneCoat surface, float coat, float base) {
     if (surface.coat_eta <= 0.0f) {
         return 0.0f;
     }
     if (surface.base == LQ_BASE_NONE) {
         return 1.0f;
     }
-    float coat = lq_fresnel_dielectric(wo.z, surface.coat_eta);
-    float base = lq_average(surface.albedo);
-    if (surface.base == LQ_BASE_CONDUCTOR) {
-        base = lq_average(lq_fresnel_conductor_rgb(wo.z, surface.eta, surface.kappa));
+    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_MIN_CHOICE, 1.0f - LQ_MIN_CHOICE);
+}
+
+// Density per solid angle of `lq_one_coat_direction`.
+float lq_one_coat_pdf(LqOneCoat surface, float coat_choice, float3 wi, float3 wo) {
+    float pdf = 0.0f;
+    if (coat_choice > 0.0f) {
+        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
     }
-    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_PLAIN_MIN_CHOICE,
-        1.0f - LQ_PLAIN_MIN_CHOICE);
+    return pdf + (1.0f - coat_choice) * lq_base_pdf(surface, wi, wo);
+}
+
+// The surface with every parameter brought into its range: call it once per shading point.
+LqOneCoat lq_plain_prepare(LqOneCoat surface) {
+    return lq_one_coat_prepare(surface);
+}
+
+// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
+float3 lq_plain_eval(LqOneCoat surface, float3 wi, float3 wo) {
+    if (!lq_is_above(wi)) {
+        return float3(0.0f, 0.0f, 0.0f);
+    }
+    if (!lq_is_above(wo)) {
+        return float3(0.0f, 0.0f, 0.0f);
+    }
+    return lq_base_lobe(surface, wi, wo, 1.0f) + lq_coat_lobe(surface, wi, wo).xxx;
+}
+
+// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
+// base would reflect were they smooth.
+float lq_plain_coat_choice(LqOneCoat surface, float3 wo) {
+    return lq_coat_choice(surface, lq_fresnel_dielectric(wo.z, surface.coat_eta),
+        lq_average(lq_base_reflectance(surface, wo.z, 1.0f)));
 }
 
 // Density per solid angle with which `lq_plain_sample` chooses wi; 0 unless both directions are
 // above the surface. `surface` prepared.
-float lq_plain_pdf(LqPlainSurface surface, float3 wi, float3 wo) {
+float lq_plain_pdf(LqOneCoat surface, float3 wi, float3 wo) {
     if (!lq_is_above(wi)) {
         return 0.0f;
     }
     if (!lq_is_above(wo)) {
         return 0.0f;
     }
-    float coat_choice = lq_plain_coat_choice(surface, wo);
-    float pdf = 0.0f;
-    if (coat_choice > 0.0f) {
-        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
-    }
-    if (surface.base == LQ_BASE_LAMBERTIAN) {
-        pdf += (1.0f - coat_choice) * lq_cosine_hemisphere_pdf(wi.z);
-    }
-    if (surface.base == LQ_BASE_CONDUCTOR) {
-        pdf += (1.0f - coat_choice) * lq_reflection_pdf(surface.base_facets, wi, wo);
-    }
-    return pdf;
+    return lq_one_coat_pdf(surface, lq_plain_coat_choice(surface, wo), wi, wo);
 }
 
-// The prepared surface that five packed rows describe.
-LqPlainSurface lq_plain_unpack(float4 coat, float4 base, float4 albedo, float4 eta, float4 kappa) {
+// The surface that six packed rows describe.
+LqOneCoat lq_one_coat_unpack(float4 coat, float4 base, float4 albedo, float4 eta, float4 kappa,
+        float4 optical_depth) {
     LqFacets facets = { int(coat.w), coat.x, coat.y };
     LqFacets facets_b = { int(base.w), base.x, base.y };
-    LqPlainSurface plain_surface =
-        { facets, coat.z, int(base.z), albedo.xyz, facets_b, eta.xyz, kappa.xyz };
-    return lq_plain_prepare(plain_surface);
+    LqOneCoat result = { facets, coat.z, optical_depth.xyz, int(base.z), albedo.xyz, facets_b,
+        eta.xyz, kappa.xyz };
+    return result;
 }
 
-LqPlainSurface lq_model_surface(uint query) {
-    uint row = query / parameters_queries_per_surface * 5u;
-    return lq_plain_unpack(asfloat(surfaces.Load4(row * 16 + 0)),
+LqOneCoat lq_model_surface(uint query) {
+    uint row = query / parameters_queries_per_surface * 6u;
+    return lq_plain_prepare(
+        lq_one_coat_unpack(asfloat(surfaces.Load4(row * 16 + 0)),
         asfloat(surfaces.Load4((row + 1u) * 16 + 0)), asfloat(surfaces.Load4((row + 2u) * 16 + 0)),
-        asfloat(surfaces.Load4((row + 3u) * 16 + 0)), asfloat(surfaces.Load4((row + 4u) * 16 + 0)));
+        asfloat(surfaces.Load4((row + 3u) * 16 + 0)), asfloat(surfaces.Load4((row + 4u) * 16 + 0)),
+        asfloat(surfaces.Load4((row + 5u) * 16 + 0))));
 }
 
 // Inputs: wi, wo per query. Results: (f, pdf).
@@ -397,7 +430,7 @@ void main(uint3 gl_GlobalInvocationID : SV_DispatchThreadID) {
     if (query >= parameters_query_count) {
         return;
     }
-    LqPlainSurface surface = lq_model_surface(query);
+    LqOneCoat surface = lq_model_surface(query);
     float3 wi = lq_input_vector(2u * query);
     float3 wo = lq_input_vector(2u * query + 1u);
     results.Store4(query * 16 + 0,

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // Metal Shading Language 2.2, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 2016825d3199f4de3dfc69a82061d53859926d6d833221f9e07b550441a81258.
+// Generated; source sha256 dc7120adbe093fbed11a930c67319529847d3c42dceba88ac0f3bc9bf969c55b.
 
 #include <metal_stdlib>
 
@@ -48,12 +48,17 @@ constant int LQ_BASE_NONE = 0;
 constant int LQ_BASE_LAMBERTIAN = 1;
 constant int LQ_BASE_CONDUCTOR = 2;
 
+// exp(-80) is the smallest transmittance whose products are still normal floats.
+constant float LQ_MAX_OPTICAL_DEPTH = 80.0;
+
 // `coat_eta` is the ior of the coat over that of the exterior, and 0 where there is no coat.
-// `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian base, the rest for a conductor,
-// whose `eta + i kappa` is relative to the exterior.
-struct LqPlainSurface {
+// `optical_depth` is that of the coat's medium along the normal, -log(tau): a logarithm taken on
+// the host costs no digits here. `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian
+// base, the rest for a conductor, whose `eta + i kappa` is relative to the exterior.
+struct LqOneCoat {
     LqFacets coat;
     float coat_eta;
+    float3 optical_depth;
     int base;
     float3 albedo;
     LqFacets base_facets;
@@ -62,7 +67,7 @@ struct LqPlainSurface {
 };
 
 // A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-constant float LQ_PLAIN_MIN_CHOICE = 0.1;
+constant float LQ_MIN_CHOICE = 0.1;
 
 struct LqInputs {
     float4 rows[1];
@@ -295,20 +300,21 @@ static inline float lq_reflection_pdf(LqFacets facets, float3 wi, float3 wo) {
     return 0.25 * density / max(wo.z + lambda_o, LQ_MIN_COSINE_PRODUCT);
 }
 
-// The surface with every parameter brought into its range: call it once per shading point.
-static inline LqPlainSurface lq_plain_prepare(LqPlainSurface surface) {
+// The surface with every parameter brought into its range.
+static inline LqOneCoat lq_one_coat_prepare(LqOneCoat surface) {
     float coat_eta = surface.coat_eta > 0.0 ? clamp(surface.coat_eta, LQ_MIN_ETA, LQ_MAX_ETA) : 0.0;
-    return LqPlainSurface{
+    return LqOneCoat{
         lq_facets_prepare(surface.coat.ndf, surface.coat.alpha_x, surface.coat.alpha_y), coat_eta,
-        surface.base, clamp(surface.albedo, float3(0.0), float3(1.0)),
+        clamp(surface.optical_depth, float3(0.0), float3(LQ_MAX_OPTICAL_DEPTH)), surface.base,
+        clamp(surface.albedo, float3(0.0), float3(1.0)),
         lq_facets_prepare(surface.base_facets.ndf, surface.base_facets.alpha_x,
         surface.base_facets.alpha_y),
         clamp(surface.eta, float3(0.0), float3(LQ_MAX_CONDUCTOR_INDEX)),
         clamp(surface.kappa, float3(0.0), float3(LQ_MAX_CONDUCTOR_INDEX)) };
 }
 
-// The coat's part of f. `surface` prepared; wi and wo above the surface.
-static inline float lq_plain_coat(LqPlainSurface surface, float3 wi, float3 wo) {
+// The coat's single reflections, part of f.
+static inline float lq_coat_lobe(LqOneCoat surface, float3 wi, float3 wo) {
     if (surface.coat_eta <= 0.0) {
         return 0.0;
     }
@@ -316,84 +322,108 @@ static inline float lq_plain_coat(LqPlainSurface surface, float3 wi, float3 wo) 
         lq_reflection_lobe(surface.coat, wi, wo);
 }
 
-// The base's part of f, as if no coat lay over it. `surface` prepared; wi and wo above the surface.
-static inline float3 lq_plain_base(LqPlainSurface surface, float3 wi, float3 wo) {
+// What the base would reflect at this angle were it smooth, in a medium of ior `eta_above` over the
+// exterior's: its albedo, or its Fresnel reflectance.
+static inline float3 lq_base_reflectance(LqOneCoat surface, float cos_theta, float eta_above) {
     if (surface.base == LQ_BASE_LAMBERTIAN) {
-        return surface.albedo * LQ_INVERSE_PI;
+        return surface.albedo;
     }
     if (surface.base == LQ_BASE_CONDUCTOR) {
-        float cos_theta = lq_cos_theta_halfway(wi, wo);
-        return lq_fresnel_conductor_rgb(cos_theta, surface.eta, surface.kappa) *
-            lq_reflection_lobe(surface.base_facets, wi, wo);
+        float scale = 1.0 / eta_above;
+        return lq_fresnel_conductor_rgb(cos_theta, surface.eta * scale, surface.kappa * scale);
     }
     return float3(0.0);
 }
 
-// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
-static inline float3 lq_plain_eval(LqPlainSurface surface, float3 wi, float3 wo) {
-    if (!lq_is_above(wi)) {
-        return float3(0.0);
+// The base's f, as if no coat lay over it, in a medium of ior `eta_above` over the exterior's.
+static inline float3 lq_base_lobe(LqOneCoat surface, float3 wi, float3 wo, float eta_above) {
+    float3 reflectance = lq_base_reflectance(surface, lq_cos_theta_halfway(wi, wo), eta_above);
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return reflectance * lq_reflection_lobe(surface.base_facets, wi, wo);
     }
-    if (!lq_is_above(wo)) {
-        return float3(0.0);
-    }
-    return lq_plain_base(surface, wi, wo) + float3(lq_plain_coat(surface, wi, wo));
+    return reflectance * LQ_INVERSE_PI;
 }
 
-// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
-// base would reflect were they smooth.
-static inline float lq_plain_coat_choice(LqPlainSurface surface, float3 wo) {
+// Density of `lq_base_direction`.
+static inline float lq_base_pdf(LqOneCoat surface, float3 wi, float3 wo) {
+    if (surface.base == LQ_BASE_LAMBERTIAN) {
+        return lq_cosine_hemisphere_pdf(wi.z);
+    }
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return lq_reflection_pdf(surface.base_facets, wi, wo);
+    }
+    return 0.0;
+}
+
+// How often a direction is chosen from the coat where it reflects the fraction `coat` and the base
+// the fraction `base`.
+static inline float lq_coat_choice(LqOneCoat surface, float coat, float base) {
     if (surface.coat_eta <= 0.0) {
         return 0.0;
     }
     if (surface.base == LQ_BASE_NONE) {
         return 1.0;
     }
-    float coat = lq_fresnel_dielectric(wo.z, surface.coat_eta);
-    float base = lq_average(surface.albedo);
-    if (surface.base == LQ_BASE_CONDUCTOR) {
-        base = lq_average(lq_fresnel_conductor_rgb(wo.z, surface.eta, surface.kappa));
+    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_MIN_CHOICE, 1.0 - LQ_MIN_CHOICE);
+}
+
+// Density per solid angle of `lq_one_coat_direction`.
+static inline float lq_one_coat_pdf(LqOneCoat surface, float coat_choice, float3 wi, float3 wo) {
+    float pdf = 0.0;
+    if (coat_choice > 0.0) {
+        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
     }
-    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_PLAIN_MIN_CHOICE,
-        1.0 - LQ_PLAIN_MIN_CHOICE);
+    return pdf + (1.0 - coat_choice) * lq_base_pdf(surface, wi, wo);
+}
+
+// The surface with every parameter brought into its range: call it once per shading point.
+static inline LqOneCoat lq_plain_prepare(LqOneCoat surface) {
+    return lq_one_coat_prepare(surface);
+}
+
+// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
+static inline float3 lq_plain_eval(LqOneCoat surface, float3 wi, float3 wo) {
+    if (!lq_is_above(wi)) {
+        return float3(0.0);
+    }
+    if (!lq_is_above(wo)) {
+        return float3(0.0);
+    }
+    return lq_base_lobe(surface, wi, wo, 1.0) + float3(lq_coat_lobe(surface, wi, wo));
+}
+
+// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
+// base would reflect were they smooth.
+static inline float lq_plain_coat_choice(LqOneCoat surface, float3 wo) {
+    return lq_coat_choice(surface, lq_fresnel_dielectric(wo.z, surface.coat_eta),
+        lq_average(lq_base_reflectance(surface, wo.z, 1.0)));
 }
 
 // Density per solid angle with which `lq_plain_sample` chooses wi; 0 unless both directions are
 // above the surface. `surface` prepared.
-static inline float lq_plain_pdf(LqPlainSurface surface, float3 wi, float3 wo) {
+static inline float lq_plain_pdf(LqOneCoat surface, float3 wi, float3 wo) {
     if (!lq_is_above(wi)) {
         return 0.0;
     }
     if (!lq_is_above(wo)) {
         return 0.0;
     }
-    float coat_choice = lq_plain_coat_choice(surface, wo);
-    float pdf = 0.0;
-    if (coat_choice > 0.0) {
-        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
-    }
-    if (surface.base == LQ_BASE_LAMBERTIAN) {
-        pdf += (1.0 - coat_choice) * lq_cosine_hemisphere_pdf(wi.z);
-    }
-    if (surface.base == LQ_BASE_CONDUCTOR) {
-        pdf += (1.0 - coat_choice) * lq_reflection_pdf(surface.base_facets, wi, wo);
-    }
-    return pdf;
+    return lq_one_coat_pdf(surface, lq_plain_coat_choice(surface, wo), wi, wo);
 }
 
-// The prepared surface that five packed rows describe.
-static inline LqPlainSurface lq_plain_unpack(float4 coat, float4 base, float4 albedo, float4 eta,
-        float4 kappa) {
-    return lq_plain_prepare(
-        LqPlainSurface{ LqFacets{ int(coat.w), coat.x, coat.y }, coat.z, int(base.z), albedo.xyz,
-        LqFacets{ int(base.w), base.x, base.y }, eta.xyz, kappa.xyz });
+// The surface that six packed rows describe.
+static inline LqOneCoat lq_one_coat_unpack(float4 coat, float4 base, float4 albedo, float4 eta,
+        float4 kappa, float4 optical_depth) {
+    return LqOneCoat{ LqFacets{ int(coat.w), coat.x, coat.y }, coat.z, optical_depth.xyz,
+        int(base.z), albedo.xyz, LqFacets{ int(base.w), base.x, base.y }, eta.xyz, kappa.xyz };
 }
 
-static inline LqPlainSurface lq_model_surface(uint query, constant LqKernelParameters& parameters,
+static inline LqOneCoat lq_model_surface(uint query, constant LqKernelParameters& parameters,
         const device LqSurfaces& surfaces) {
-    uint row = query / parameters.queries_per_surface * 5u;
-    return lq_plain_unpack(surfaces.rows[row], surfaces.rows[row + 1u], surfaces.rows[row + 2u],
-        surfaces.rows[row + 3u], surfaces.rows[row + 4u]);
+    uint row = query / parameters.queries_per_surface * 6u;
+    return lq_plain_prepare(
+        lq_one_coat_unpack(surfaces.rows[row], surfaces.rows[row + 1u], surfaces.rows[row + 2u],
+        surfaces.rows[row + 3u], surfaces.rows[row + 4u], surfaces.rows[row + 5u]));
 }
 
 // Inputs: wi, wo per query. Results: (f, pdf).
@@ -405,7 +435,7 @@ kernel void main0(constant LqKernelParameters& parameters [[buffer(0)]],
     if (query >= parameters.query_count) {
         return;
     }
-    LqPlainSurface surface = lq_model_surface(query, parameters, surfaces);
+    LqOneCoat surface = lq_model_surface(query, parameters, surfaces);
     float3 wi = lq_input_vector(2u * query, inputs);
     float3 wo = lq_input_vector(2u * query + 1u, inputs);
     results.rows[query] = float4(lq_plain_eval(surface, wi, wo), lq_plain_pdf(surface, wi, wo));

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // WGSL, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 2016825d3199f4de3dfc69a82061d53859926d6d833221f9e07b550441a81258.
+// Generated; source sha256 dc7120adbe093fbed11a930c67319529847d3c42dceba88ac0f3bc9bf969c55b.
 
 const LQ_PI: f32 = 3.1415927;
 const LQ_INVERSE_PI: f32 = 0.31830987;
@@ -44,12 +44,17 @@ const LQ_BASE_NONE: i32 = 0;
 const LQ_BASE_LAMBERTIAN: i32 = 1;
 const LQ_BASE_CONDUCTOR: i32 = 2;
 
+// exp(-80) is the smallest transmittance whose products are still normal floats.
+const LQ_MAX_OPTICAL_DEPTH: f32 = 80.0;
+
 // `coat_eta` is the ior of the coat over that of the exterior, and 0 where there is no coat.
-// `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian base, the rest for a conductor,
-// whose `eta + i kappa` is relative to the exterior.
-struct LqPlainSurface {
+// `optical_depth` is that of the coat's medium along the normal, -log(tau): a logarithm taken on
+// the host costs no digits here. `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian
+// base, the rest for a conductor, whose `eta + i kappa` is relative to the exterior.
+struct LqOneCoat {
     coat: LqFacets,
     coat_eta: f32,
+    optical_depth: vec3f,
     base: i32,
     albedo: vec3f,
     base_facets: LqFacets,
@@ -58,7 +63,7 @@ struct LqPlainSurface {
 }
 
 // A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-const LQ_PLAIN_MIN_CHOICE: f32 = 0.1;
+const LQ_MIN_CHOICE: f32 = 0.1;
 
 struct LqInputs {
     rows: array<vec4f>,
@@ -306,24 +311,25 @@ fn lq_reflection_pdf(facets: LqFacets, wi: vec3f, wo: vec3f) -> f32 {
     return 0.25 * density / max(wo.z + lambda_o, LQ_MIN_COSINE_PRODUCT);
 }
 
-// The surface with every parameter brought into its range: call it once per shading point.
-fn lq_plain_prepare(surface: LqPlainSurface) -> LqPlainSurface {
+// The surface with every parameter brought into its range.
+fn lq_one_coat_prepare(surface: LqOneCoat) -> LqOneCoat {
     var coat_eta: f32;
     if (surface.coat_eta > 0.0) {
         coat_eta = clamp(surface.coat_eta, LQ_MIN_ETA, LQ_MAX_ETA);
     } else {
         coat_eta = 0.0;
     }
-    return LqPlainSurface(
+    return LqOneCoat(
         lq_facets_prepare(surface.coat.ndf, surface.coat.alpha_x, surface.coat.alpha_y), coat_eta,
-        surface.base, clamp(surface.albedo, vec3f(0.0), vec3f(1.0)),
+        clamp(surface.optical_depth, vec3f(0.0), vec3(LQ_MAX_OPTICAL_DEPTH)), surface.base,
+        clamp(surface.albedo, vec3f(0.0), vec3f(1.0)),
         lq_facets_prepare(surface.base_facets.ndf, surface.base_facets.alpha_x,
         surface.base_facets.alpha_y), clamp(surface.eta, vec3f(0.0), vec3(LQ_MAX_CONDUCTOR_INDEX)),
         clamp(surface.kappa, vec3f(0.0), vec3(LQ_MAX_CONDUCTOR_INDEX)));
 }
 
-// The coat's part of f. `surface` prepared; wi and wo above the surface.
-fn lq_plain_coat(surface: LqPlainSurface, wi: vec3f, wo: vec3f) -> f32 {
+// The coat's single reflections, part of f.
+fn lq_coat_lobe(surface: LqOneCoat, wi: vec3f, wo: vec3f) -> f32 {
     if (surface.coat_eta <= 0.0) {
         return 0.0;
     }
@@ -331,83 +337,107 @@ fn lq_plain_coat(surface: LqPlainSurface, wi: vec3f, wo: vec3f) -> f32 {
         lq_reflection_lobe(surface.coat, wi, wo);
 }
 
-// The base's part of f, as if no coat lay over it. `surface` prepared; wi and wo above the surface.
-fn lq_plain_base(surface: LqPlainSurface, wi: vec3f, wo: vec3f) -> vec3f {
+// What the base would reflect at this angle were it smooth, in a medium of ior `eta_above` over the
+// exterior's: its albedo, or its Fresnel reflectance.
+fn lq_base_reflectance(surface: LqOneCoat, cos_theta: f32, eta_above: f32) -> vec3f {
     if (surface.base == LQ_BASE_LAMBERTIAN) {
-        return surface.albedo * LQ_INVERSE_PI;
+        return surface.albedo;
     }
     if (surface.base == LQ_BASE_CONDUCTOR) {
-        let cos_theta = lq_cos_theta_halfway(wi, wo);
-        return lq_fresnel_conductor_rgb(cos_theta, surface.eta, surface.kappa) *
-            lq_reflection_lobe(surface.base_facets, wi, wo);
+        let scale = 1.0 / eta_above;
+        return lq_fresnel_conductor_rgb(cos_theta, surface.eta * scale, surface.kappa * scale);
     }
     return vec3f(0.0);
 }
 
-// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
-fn lq_plain_eval(surface: LqPlainSurface, wi: vec3f, wo: vec3f) -> vec3f {
-    if (!lq_is_above(wi)) {
-        return vec3f(0.0);
+// The base's f, as if no coat lay over it, in a medium of ior `eta_above` over the exterior's.
+fn lq_base_lobe(surface: LqOneCoat, wi: vec3f, wo: vec3f, eta_above: f32) -> vec3f {
+    let reflectance = lq_base_reflectance(surface, lq_cos_theta_halfway(wi, wo), eta_above);
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return reflectance * lq_reflection_lobe(surface.base_facets, wi, wo);
     }
-    if (!lq_is_above(wo)) {
-        return vec3f(0.0);
-    }
-    return lq_plain_base(surface, wi, wo) + vec3(lq_plain_coat(surface, wi, wo));
+    return reflectance * LQ_INVERSE_PI;
 }
 
-// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
-// base would reflect were they smooth.
-fn lq_plain_coat_choice(surface: LqPlainSurface, wo: vec3f) -> f32 {
+// Density of `lq_base_direction`.
+fn lq_base_pdf(surface: LqOneCoat, wi: vec3f, wo: vec3f) -> f32 {
+    if (surface.base == LQ_BASE_LAMBERTIAN) {
+        return lq_cosine_hemisphere_pdf(wi.z);
+    }
+    if (surface.base == LQ_BASE_CONDUCTOR) {
+        return lq_reflection_pdf(surface.base_facets, wi, wo);
+    }
+    return 0.0;
+}
+
+// How often a direction is chosen from the coat where it reflects the fraction `coat` and the base
+// the fraction `base`.
+fn lq_coat_choice(surface: LqOneCoat, coat: f32, base: f32) -> f32 {
     if (surface.coat_eta <= 0.0) {
         return 0.0;
     }
     if (surface.base == LQ_BASE_NONE) {
         return 1.0;
     }
-    let coat = lq_fresnel_dielectric(wo.z, surface.coat_eta);
-    var base = lq_average(surface.albedo);
-    if (surface.base == LQ_BASE_CONDUCTOR) {
-        base = lq_average(lq_fresnel_conductor_rgb(wo.z, surface.eta, surface.kappa));
+    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_MIN_CHOICE, 1.0 - LQ_MIN_CHOICE);
+}
+
+// Density per solid angle of `lq_one_coat_direction`.
+fn lq_one_coat_pdf(surface: LqOneCoat, coat_choice: f32, wi: vec3f, wo: vec3f) -> f32 {
+    var pdf = 0.0;
+    if (coat_choice > 0.0) {
+        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
     }
-    return clamp(coat / (coat + base + LQ_MIN_COSINE_PRODUCT), LQ_PLAIN_MIN_CHOICE,
-        1.0 - LQ_PLAIN_MIN_CHOICE);
+    return pdf + (1.0 - coat_choice) * lq_base_pdf(surface, wi, wo);
+}
+
+// The surface with every parameter brought into its range: call it once per shading point.
+fn lq_plain_prepare(surface: LqOneCoat) -> LqOneCoat {
+    return lq_one_coat_prepare(surface);
+}
+
+// f(wi, wo), per steradian; 0 unless both directions are above the surface. `surface` prepared.
+fn lq_plain_eval(surface: LqOneCoat, wi: vec3f, wo: vec3f) -> vec3f {
+    if (!lq_is_above(wi)) {
+        return vec3f(0.0);
+    }
+    if (!lq_is_above(wo)) {
+        return vec3f(0.0);
+    }
+    return lq_base_lobe(surface, wi, wo, 1.0) + vec3(lq_coat_lobe(surface, wi, wo));
+}
+
+// How often `lq_plain_sample` chooses the coat for this wo: in proportion to what the coat and the
+// base would reflect were they smooth.
+fn lq_plain_coat_choice(surface: LqOneCoat, wo: vec3f) -> f32 {
+    return lq_coat_choice(surface, lq_fresnel_dielectric(wo.z, surface.coat_eta),
+        lq_average(lq_base_reflectance(surface, wo.z, 1.0)));
 }
 
 // Density per solid angle with which `lq_plain_sample` chooses wi; 0 unless both directions are
 // above the surface. `surface` prepared.
-fn lq_plain_pdf(surface: LqPlainSurface, wi: vec3f, wo: vec3f) -> f32 {
+fn lq_plain_pdf(surface: LqOneCoat, wi: vec3f, wo: vec3f) -> f32 {
     if (!lq_is_above(wi)) {
         return 0.0;
     }
     if (!lq_is_above(wo)) {
         return 0.0;
     }
-    let coat_choice = lq_plain_coat_choice(surface, wo);
-    var pdf = 0.0;
-    if (coat_choice > 0.0) {
-        pdf = coat_choice * lq_reflection_pdf(surface.coat, wi, wo);
-    }
-    if (surface.base == LQ_BASE_LAMBERTIAN) {
-        pdf += (1.0 - coat_choice) * lq_cosine_hemisphere_pdf(wi.z);
-    }
-    if (surface.base == LQ_BASE_CONDUCTOR) {
-        pdf += (1.0 - coat_choice) * lq_reflection_pdf(surface.base_facets, wi, wo);
-    }
-    return pdf;
+    return lq_one_coat_pdf(surface, lq_plain_coat_choice(surface, wo), wi, wo);
 }
 
-// The prepared surface that five packed rows describe.
-fn lq_plain_unpack(coat: vec4f, base: vec4f, albedo: vec4f, eta: vec4f,
-        kappa: vec4f) -> LqPlainSurface {
+// The surface that six packed rows describe.
+fn lq_one_coat_unpack(coat: vec4f, base: vec4f, albedo: vec4f, eta: vec4f, kappa: vec4f,
+        optical_depth: vec4f) -> LqOneCoat {
+    return LqOneCoat(LqFacets(i32(coat.w), coat.x, coat.y), coat.z, optical_depth.xyz, i32(base.z),
+        albedo.xyz, LqFacets(i32(base.w), base.x, base.y), eta.xyz, kappa.xyz);
+}
+
+fn lq_model_surface(query: u32) -> LqOneCoat {
+    let row = query / parameters.queries_per_surface * 6u;
     return lq_plain_prepare(
-        LqPlainSurface(LqFacets(i32(coat.w), coat.x, coat.y), coat.z, i32(base.z), albedo.xyz,
-        LqFacets(i32(base.w), base.x, base.y), eta.xyz, kappa.xyz));
-}
-
-fn lq_model_surface(query: u32) -> LqPlainSurface {
-    let row = query / parameters.queries_per_surface * 5u;
-    return lq_plain_unpack(surfaces.rows[row], surfaces.rows[row + 1u], surfaces.rows[row + 2u],
-        surfaces.rows[row + 3u], surfaces.rows[row + 4u]);
+        lq_one_coat_unpack(surfaces.rows[row], surfaces.rows[row + 1u], surfaces.rows[row + 2u],
+        surfaces.rows[row + 3u], surfaces.rows[row + 4u], surfaces.rows[row + 5u]));
 }
 
 // Inputs: wi, wo per query. Results: (f, pdf).
