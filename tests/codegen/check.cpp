@@ -70,6 +70,7 @@ codegen::Package with_constructs() {
     write_file(level, text);
     codegen::Request request;
     request.source_root = root;
+    request.levels = {"plain"};
     return codegen::generate(request);
 }
 

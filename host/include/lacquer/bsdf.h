@@ -24,7 +24,7 @@ struct BsdfSample {
 };
 
 // Directional albedo split by where the light turned back. Each channel is in [0, 1] for a model
-// that conserves energy; `plain` may exceed 1 in sum.
+// that conserves energy; `plain` and `weidlich-wilkie` may exceed 1 in sum.
 template <typename Real>
 struct DirectionalAlbedo {
     Vec3<Real> direct;  // never reached the base

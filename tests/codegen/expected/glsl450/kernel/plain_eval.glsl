@@ -2,7 +2,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL 4.50, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 dc7120adbe093fbed11a930c67319529847d3c42dceba88ac0f3bc9bf969c55b.
+// Generated; source sha256 bc6d720cb8f609abb152e5c83a6623434c287382f3fbdb49f85b0facf2214087.
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 

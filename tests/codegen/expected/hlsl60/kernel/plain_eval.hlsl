@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 6.0, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 dc7120adbe093fbed11a930c67319529847d3c42dceba88ac0f3bc9bf969c55b.
+// Generated; source sha256 bc6d720cb8f609abb152e5c83a6623434c287382f3fbdb49f85b0facf2214087.
 
 static const float LQ_PI = 3.1415927f;
 static const float LQ_INVERSE_PI = 0.31830987f;
