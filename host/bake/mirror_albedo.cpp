@@ -10,7 +10,7 @@ namespace lacquer::bake {
 
 namespace {
 
-constexpr std::size_t kAlphas = 24, kCosines = 32, kVariances = 33;
+constexpr std::size_t kAlphas = 24, kCosines = 32, kVariances = 65;
 
 Axis cosine_axis() {
     return {"cos_theta", Mapping::squared, kCosines, 0.0, 1.0, "1"};

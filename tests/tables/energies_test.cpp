@@ -186,9 +186,10 @@ TEST(Energies, EquivalentAlphaHasTheVarianceOfItsLobe) {
         const auto lobe = simulator::estimate_distribution(simulator::StackWalk{material, {1}},
                                                            {0.0, 0.0, 1.0}, {}, options);
         const double variance = lobe.base.variance_x.mean[0] + lobe.direct.variance_x.mean[0];
-        // A thirty-third of the range of alphas between nodes, where the curve is nearly straight.
-        constexpr double kNode = 1.0 / 33.0 / 8.0;
-        EXPECT_NEAR(tables().equivalent_alpha(variance), alpha, kNode);
+        // Near 1 a lobe hardly widens any more: between the last nodes lie alphas 0.1 apart, and the
+        // noise of the variance, 0.0003, is one of 0.005 in alpha.
+        constexpr double kSteep = 0.015;
+        EXPECT_NEAR(tables().equivalent_alpha(variance), alpha, kSteep);
     }
 }
 
