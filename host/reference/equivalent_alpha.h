@@ -17,7 +17,7 @@
 //
 // Albedos of coated surfaces, on 400 random ones each: Beckmann 0.012 in the mean, at most 0.075;
 // anisotropic (azimuths included, which this leaves out) 0.020, at most 0.23. Isotropic GGX: 0.001
-// and 0.013 (tests/statistical/coated_simulation_test.cpp).
+// and 0.008 (tests/statistical/coated_simulation_test.cpp).
 #pragma once
 
 #include "lacquer/material.h"

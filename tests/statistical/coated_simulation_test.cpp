@@ -22,10 +22,10 @@ using reference::BaseLobe;
 
 // What the model promises.
 constexpr double kMeanAlbedoError = 0.002;
-// 0.01, but for smooth coats next to the critical angle, which the tables round off most.
-constexpr double kMaxAlbedoError = 0.012;
-// Of `exact`, total variation: 0.01, but for smooth coats over media nearly as dark as kDarkestTau.
-constexpr double kMaxDistance = 0.02;
+constexpr double kMaxAlbedoError = 0.01;
+// Of `exact`, total variation: 0.01, but for smooth coats over media nearly as dark as kDarkestTau,
+// where it reaches 0.029 by the Fresnel equations (eta 0.99).
+constexpr double kMaxDistance = 0.03;
 // Through media darker than this, kMaxDistance holds for the distance times the base's albedo.
 constexpr double kDarkestTau = 0.1;
 
