@@ -7,6 +7,7 @@
 #include "cli/run_lacquer.h"
 #include "core/environment.h"
 #include "core/file.h"
+#include "core/model.h"
 #include "support/temporary_folder.h"
 
 namespace lacquer {
@@ -35,6 +36,24 @@ TEST(CompareCommand, PassesTheShaderSourceAsCpp) {
     EXPECT_EQ(material.at("name"), "gold");
     EXPECT_GT(material.at("max_rel").get<double>(), 0.0);
     EXPECT_LT(material.at("max_rel").get<double>(), 1e-4);
+}
+
+TEST(CompareCommand, PassesEveryModelAsCpp) {
+    for (const Model model : all_models())
+        expect_success(run_lacquer({"compare", "--backend", "cpp", "--material", "lacquered_copper",
+                                    "--model", std::string{model_name(model)}}));
+}
+
+TEST(CompareCommand, NamesWhatAModelCannotShade) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "two.json").string();
+    write_file(file, R"({"name": "two", "layers": [{"interface": {"ior": 1.5, "alpha": 0.1}},
+        {"interface": {"ior": 1.3, "alpha": 0.1}}], "base": "none"})");
+    const ProcessResult result =
+        run_lacquer({"compare", "--backend", "cpp", "--material", file, "--model", "clearcoat"});
+    EXPECT_EQ(result.exit_code, kFailure);
+    EXPECT_THAT(result.err, HasSubstr("material 'two': /layers/1: the model 'clearcoat' shades at "
+                                      "most one layer"));
 }
 
 TEST(CompareCommand, WritesItsReport) {
