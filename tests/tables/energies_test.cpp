@@ -182,13 +182,13 @@ TEST(Energies, EquivalentAlphaHasTheVarianceOfItsLobe) {
         Material material;
         material.base = ConductorBase{{}, {}, Microsurface{Ndf::ggx, {alpha, alpha}}};
         simulator::RunOptions options;
-        options.samples = 200'000;
+        options.samples = 1'000'000;
         const auto lobe = simulator::estimate_distribution(simulator::StackWalk{material, {1}},
                                                            {0.0, 0.0, 1.0}, {}, options);
         const double variance = lobe.base.variance_x.mean[0] + lobe.direct.variance_x.mean[0];
-        // Near 1 a lobe hardly widens any more: between the last nodes lie alphas 0.1 apart, and the
-        // noise of the variance, 0.0003, is one of 0.005 in alpha.
-        constexpr double kSteep = 0.015;
+        // Near 1 a lobe hardly widens any more: its variance changes by 0.05 per unit of alpha, so
+        // that the noise of the variance, 0.0004, is one of 0.008, and nodes are 0.07 apart.
+        constexpr double kSteep = 0.025;
         EXPECT_NEAR(tables().equivalent_alpha(variance), alpha, kSteep);
     }
 }
