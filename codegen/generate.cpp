@@ -149,6 +149,12 @@ bool chosen(const std::vector<T>& choice, const T& value) {
     return choice.empty() || std::ranges::find(choice, value) != choice.end();
 }
 
+// The viewer's shaders have no tables bound.
+bool has_kernel(const SourceTree& tree, const Level& level, const KernelSource& source) {
+    if (level.reads_tables && source.stage != Stage::compute) return false;
+    return shades_surfaces(tree, source) || level.name == all_levels().front().name;
+}
+
 std::vector<Variant> chosen_variants(const SourceTree& tree, const Request& request) {
     for (const std::string& name : request.levels) level_from_name(name);
     std::vector<Variant> variants;
@@ -156,7 +162,7 @@ std::vector<Variant> chosen_variants(const SourceTree& tree, const Request& requ
         if (!chosen(request.levels, std::string{level.name})) continue;
         if (chosen(request.forms, Form::kernel))
             for (const KernelSource& source : all_kernels(tree))
-                if (shades_surfaces(tree, source) || level.name == all_levels().front().name)
+                if (has_kernel(tree, level, source))
                     variants.push_back(kernel_variant(tree, level, source));
         if (chosen(request.forms, Form::library)) variants.push_back(library_variant(tree, level));
     }

@@ -28,6 +28,12 @@ constexpr std::string_view kConventions =
     "conductor's\n"
     "// index is eta + i kappa, alpha is the slope roughness of the papers.\n";
 
+// What a level that reads tables asks for.
+constexpr std::string_view kTables =
+    "//\n"
+    "// Define lq_table_texel(index), of four floats, above: it returns the texel of an index in\n"
+    "// [0, LQ_TABLE_TEXELS) of the baked tables, unfiltered.\n";
+
 }  // namespace
 
 std::string file_head(const ShaderFile& file, const Level& level,
@@ -40,6 +46,7 @@ std::string file_head(const ShaderFile& file, const Level& level,
         kVersion, level.name, level.description, target_entry(file.target).description,
         form_description(file), source_sha256);
     if (file.form == Form::library) head += kConventions;
+    if (file.form == Form::library && level.reads_tables) head += kTables;
     return head + "\n";
 }
 

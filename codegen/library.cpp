@@ -12,6 +12,11 @@ bool is_public(const Declaration& declaration) {
     return declaration.kind == Declaration::Kind::function && declaration.name.starts_with("lq_");
 }
 
+// What whoever uses the functions supplies: it stands here for the compiler, and no module declares
+// it, so that it is not in the library.
+constexpr std::string_view kTableAccess =
+    "vec4 lq_table_texel(const int index) { return vec4(float(index)); }\n";
+
 // A call with arguments that were never set, in a scope of its own.
 std::string call(const Declaration& function) {
     std::string locals;
@@ -34,9 +39,10 @@ std::string library_entry(const std::string& source, const std::vector<SourceMod
     return fmt::format(
         "#version 450\n"
         "#extension GL_GOOGLE_include_directive : require\n"
+        "{}"
         "#include \"{}\"\n"
         "void main() {{\n{}}}\n",
-        source, calls);
+        kTableAccess, source, calls);
 }
 
 std::vector<Function> public_functions(const text::Statements& statements,

@@ -20,6 +20,8 @@ constexpr std::array kLevels{
           "a coat that light enters and leaves through the same facet, by Weidlich and Wilkie"},
     Level{"openpbr_coat", "openpbr_coat/openpbr_coat.glsl", "LQ_MODEL_OPENPBR_COAT",
           "OpenPBR's coat: the base made rougher, darker and attenuated by it"},
+    Level{"coated", "coated/coated.glsl", "LQ_MODEL_COATED",
+          "a rough dielectric coat over a Lambertian base, with all light between them", true},
 };
 
 struct StageEntry {

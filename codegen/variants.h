@@ -17,6 +17,7 @@ struct Level {
     std::string_view source;
     std::string_view define;
     std::string_view description;
+    bool reads_tables = false;  // then whoever uses the library form supplies lq_table_texel
 };
 
 enum class Stage { compute, vertex, fragment };

@@ -12,6 +12,7 @@
 #include "core/frame.glsl"
 #include "core/random.glsl"
 #include "core/sampling.glsl"
+#include "interface/energies.glsl"
 #include "lighting/sphere.glsl"
 #include "lighting/tone_mapping.glsl"
 #include "microsurface/exits.glsl"
@@ -20,6 +21,7 @@
 
 // Levels:
 #include "clearcoat/clearcoat.glsl"
+#include "coated/coated.glsl"
 #include "openpbr_coat/openpbr_coat.glsl"
 #include "plain/plain.glsl"
 #include "weidlich_wilkie/weidlich_wilkie.glsl"

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "backends/pack.h"
+#include "tables/texels.h"
 
 namespace lacquer {
 
@@ -47,24 +48,31 @@ Dispatch dispatch_of(const Job& job, const Part& part, std::span<const glm::vec4
     return dispatch;
 }
 
+// A buffer of no bytes cannot be bound: a model that reads no tables gets one texel.
+std::span<const glm::vec4> tables_of(Model model) {
+    static const glm::vec4 none{0.0f};
+    return reads_tables(model) ? shipped_texels() : std::span{&none, 1};
+}
+
 }  // namespace
 
 std::uint32_t Dispatch::workgroups() const {
     return (parameters.query_count + kWorkgroupSize - 1) / kWorkgroupSize;
 }
 
-std::array<BufferArgument, 4> kernel_arguments(const Dispatch& dispatch,
+std::array<BufferArgument, 5> kernel_arguments(const Dispatch& dispatch,
                                                std::span<glm::vec4> results) {
     using Kind = BufferArgument::Kind;
     return {BufferArgument{Kind::uniform, std::as_bytes(std::span{&dispatch.parameters, 1}), {}},
             BufferArgument{Kind::read, std::as_bytes(dispatch.surfaces), {}},
             BufferArgument{Kind::read, std::as_bytes(dispatch.inputs), {}},
-            BufferArgument{Kind::write, {}, std::as_writable_bytes(results)}};
+            BufferArgument{Kind::write, {}, std::as_writable_bytes(results)},
+            BufferArgument{Kind::read, std::as_bytes(tables_of(dispatch.model)), {}}};
 }
 
 std::vector<BufferArgument::Kind> kernel_argument_kinds() {
     using Kind = BufferArgument::Kind;
-    return {Kind::uniform, Kind::read, Kind::read, Kind::write};
+    return {Kind::uniform, Kind::read, Kind::read, Kind::write, Kind::read};
 }
 
 void FloatBackend::prepare(Model model, Kernel kernel) {

@@ -29,7 +29,7 @@ struct Dispatch {
 };
 
 // The buffers of a dispatch, by their bindings in shader_src/kernels/bindings.glsl.
-std::array<BufferArgument, 4> kernel_arguments(const Dispatch& dispatch,
+std::array<BufferArgument, 5> kernel_arguments(const Dispatch& dispatch,
                                                std::span<glm::vec4> results);
 std::vector<BufferArgument::Kind> kernel_argument_kinds();
 

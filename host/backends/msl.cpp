@@ -44,15 +44,15 @@ class MslBackend final : public FloatBackend {
 
  private:
     void compile(Model model, Kernel kernel) override {
-        const std::string name =
-            fmt::format("lacquer_msl_{}_{}", kernel_level(model, kernel), kernel_shape(kernel).name);
+        const std::string name = fmt::format("lacquer_msl_{}_{}", kernel_level(model, kernel),
+                                             kernel_shape(kernel).name);
         void* const symbol = dlsym(module_.get(), name.c_str());
         if (symbol == nullptr) throw Error{fmt::format("the Metal kernels lack '{}'", name)};
         kernels_[{model, kernel}] = reinterpret_cast<MslKernel>(symbol);
     }
 
     std::optional<double> execute(const Dispatch& dispatch, std::span<glm::vec4> results) override {
-        std::array<void*, 4> buffers{};
+        std::array<void*, 5> buffers{};
         const auto arguments = kernel_arguments(dispatch, results);
         for (std::size_t binding = 0; binding < arguments.size(); ++binding) {
             const BufferArgument& argument = arguments[binding];

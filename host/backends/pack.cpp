@@ -1,5 +1,6 @@
 #include "backends/pack.h"
 
+#include "backends/pack_coated.h"
 #include "backends/pack_one_coat.h"
 
 namespace lacquer {
@@ -11,6 +12,9 @@ std::size_t surface_rows(Model model) {
         case Model::weidlich_wilkie:
         case Model::openpbr_coat:
             return kOneCoatRows;
+        case Model::coated_ggx:
+        case Model::coated_exact:
+            return kCoatedRows;
     }
     return 0;
 }
@@ -25,6 +29,12 @@ std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> mate
             case Model::weidlich_wilkie:
             case Model::openpbr_coat: {
                 const auto packed = pack_one_coat(material, model);
+                rows.insert(rows.end(), packed.begin(), packed.end());
+                break;
+            }
+            case Model::coated_ggx:
+            case Model::coated_exact: {
+                const auto packed = pack_coated(material, model);
                 rows.insert(rows.end(), packed.begin(), packed.end());
             }
         }

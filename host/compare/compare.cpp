@@ -158,7 +158,7 @@ BackendResult compare_backend(const CompareRequest& request, const BackendEntry&
                               const Evaluation& reference) {
     BackendResult result;
     result.name = entry.name;
-    result.tolerance = tolerance_of(entry.name);
+    result.tolerance = tolerance_of(entry.name, request.model);
     const Availability availability = entry.probe(request.options);
     result.device = availability.detail;
     if (!availability.usable) {

@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "core/model.h"
+
 namespace lacquer {
 
 // Limits on the relative errors over the queries of one material, see compare/metrics.h. A result
@@ -23,10 +25,16 @@ struct Tolerance {
 // bundled material, gives 9.5e-5.
 inline constexpr Tolerance kFloatTolerance{1e-4, 3e-7};
 
-// The tolerance of the backend of that name. All have the same one so far: a language that needs
-// more is a formula to mend, or a reason to be written here.
-constexpr Tolerance tolerance_of(std::string_view /*backend*/) {
-    return kFloatTolerance;
+// The base lobe of `coated-ggx` has the roughness of the variance of the light that leaves. Near
+// that of a Lambertian lobe, 0.25, roughness grows 2.7 times as fast as variance, relatively, and
+// the density in the middle of the lobe falls with its square: the 1e-7 of the variance, a
+// difference of two moments, counts five times.
+inline constexpr Tolerance kNormalLobeTolerance{1e-4, 6e-7};
+
+// The tolerance of a model on the backend of that name. All backends have the same so far: a
+// language that needs more is a formula to mend, or a reason to be written here.
+constexpr Tolerance tolerance_of(std::string_view /*backend*/, Model model) {
+    return model == Model::coated_ggx ? kNormalLobeTolerance : kFloatTolerance;
 }
 
 }  // namespace lacquer

@@ -15,6 +15,7 @@ struct ModelEntry {
     Model model;
     std::string_view name;
     std::string_view level;
+    bool reads_tables = false;
 };
 
 // In the order of Model.
@@ -23,6 +24,8 @@ constexpr std::array kEntries{
     ModelEntry{Model::clearcoat, "clearcoat", "clearcoat"},
     ModelEntry{Model::weidlich_wilkie, "weidlich-wilkie", "weidlich_wilkie"},
     ModelEntry{Model::openpbr_coat, "openpbr-coat", "openpbr_coat"},
+    ModelEntry{Model::coated_ggx, "coated-ggx", "coated", true},
+    ModelEntry{Model::coated_exact, "coated-exact", "coated", true},
 };
 
 constexpr auto kModels = [] {
@@ -43,6 +46,10 @@ std::string_view model_name(Model model) {
 
 std::string_view model_level(Model model) {
     return entry_of(model).level;
+}
+
+bool reads_tables(Model model) {
+    return entry_of(model).reads_tables;
 }
 
 Model model_from_name(std::string_view name) {

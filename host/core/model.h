@@ -11,6 +11,8 @@ enum class Model {
     clearcoat,        // glTF's: Fresnel's factor divides the light between coat and base
     weidlich_wilkie,  // light enters and leaves the coat through one facet
     openpbr_coat,     // OpenPBR's: the base made rougher, darker and attenuated by the coat
+    coated_ggx,       // all light between coat and base; the base's leaves as a GGX lobe
+    coated_exact,     // the same; the base's leaves as it is
 };
 
 // The name on the command line, in JSON and in file names of shader variants.
@@ -19,6 +21,9 @@ std::string_view model_name(Model model);
 // The level of the shader source that implements it: the prefix of its public functions,
 // lq_LEVEL_*.
 std::string_view model_level(Model model);
+
+// Whether its shaders read the baked tables.
+bool reads_tables(Model model);
 
 // Throws UsageError listing the models there are.
 Model model_from_name(std::string_view name);

@@ -18,6 +18,7 @@ enum class Extra { left_out, refused };
 struct Scope {
     Extra deeper_layers;  // those below the first
     Extra scattering;
+    bool lambertian_only = false;  // a coat over a Lambertian base, and nothing else
 };
 
 Scope scope_of(Model model) {
@@ -28,6 +29,9 @@ Scope scope_of(Model model) {
         case Model::weidlich_wilkie:
         case Model::openpbr_coat:
             break;
+        case Model::coated_ggx:
+        case Model::coated_exact:
+            return {Extra::refused, Extra::refused, true};
     }
     return {Extra::refused, Extra::refused};
 }
@@ -50,6 +54,8 @@ bool is_blend(const Roughness& roughness) {
 constexpr std::string_view kNoBlend = "cannot shade a blended microsurface";
 
 std::optional<Refusal> refused_layers(const std::vector<Layer>& layers, const Scope& scope) {
+    if (layers.empty() && scope.lambertian_only)
+        return Refusal{"/layers", "shades one layer over a Lambertian base, and there is none"};
     if (layers.empty()) return std::nullopt;
     if (scope.deeper_layers == Extra::refused && layers.size() > 1)
         return Refusal{"/layers/1", "shades at most one layer"};
@@ -60,7 +66,9 @@ std::optional<Refusal> refused_layers(const std::vector<Layer>& layers, const Sc
     return std::nullopt;
 }
 
-std::optional<Refusal> refused_base(const Base& base) {
+std::optional<Refusal> refused_base(const Base& base, const Scope& scope) {
+    if (scope.lambertian_only && !std::holds_alternative<LambertianBase>(base))
+        return Refusal{"/base", "shades Lambertian bases only"};
     const auto* diffuse = std::get_if<DiffuseFacetsBase>(&base);
     if (diffuse != nullptr && is_blend(diffuse->roughness))
         return Refusal{"/base/diffuse_facets/blend", kNoBlend};
@@ -74,7 +82,7 @@ std::optional<Refusal> refused_base(const Base& base) {
 
 std::optional<std::string> why_not_shadeable(const Material& material, Model model) {
     std::optional<Refusal> refusal = refused_layers(material.layers, scope_of(model));
-    if (!refusal) refusal = refused_base(material.base);
+    if (!refusal) refusal = refused_base(material.base, scope_of(model));
     if (!refusal) return std::nullopt;
     return fmt::format("{}: the model '{}' {}", refusal->pointer, model_name(model), refusal->why);
 }

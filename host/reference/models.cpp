@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "core/paths.h"
 #include "reference/clearcoat.h"
+#include "reference/coated.h"
 #include "reference/openpbr_coat.h"
 #include "reference/plain.h"
 #include "reference/weidlich_wilkie.h"
@@ -36,6 +38,11 @@ std::shared_ptr<const Shading> shading(Surface surface) {
     return std::make_shared<const SurfaceShading<Surface>>(std::move(surface));
 }
 
+const EnergyTables& shipped_tables() {
+    static const EnergyTables tables{share_file("tables")};
+    return tables;
+}
+
 }  // namespace
 
 std::shared_ptr<const Shading> prepare(const Material& material, Model model) {
@@ -48,6 +55,10 @@ std::shared_ptr<const Shading> prepare(const Material& material, Model model) {
             return shading(prepare_weidlich_wilkie(material));
         case Model::openpbr_coat:
             return shading(prepare_openpbr_coat(material));
+        case Model::coated_ggx:
+            return shading(prepare_coated(material, shipped_tables(), BaseLobe::ggx));
+        case Model::coated_exact:
+            return shading(prepare_coated(material, shipped_tables(), BaseLobe::exact));
     }
     return nullptr;
 }

@@ -2,8 +2,12 @@
 // shader_double.h.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
+#include "core/error.h"
 #include "lacquer/bsdf.h"
 #include "shading/one_coat_parameters.h"
 
@@ -74,6 +78,26 @@ std::shared_ptr<const Bsdf<Real>::Shading> level(const Surface& surface) {
     return std::make_shared<const Level<Eval, EvalCos, Pdf, Sample, Albedo, Surface>>(surface);
 }
 
+shader::LqCoatedMaterial to_coated(const OneCoatParameters& parameters, int base_lobe) {
+    Rgb tau{};
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        tau[channel] = std::exp(-parameters.optical_depth[channel]);
+    return {to_facets(parameters.coat), static_cast<Real>(parameters.coat_eta), to_vector(tau),
+            to_vector(parameters.albedo), base_lobe};
+}
+
+// The tables' own, whatever the number of points.
+shader::LqAlbedo coated_albedo(const shader::LqCoatedSurface& surface, const shader::vec3& wo,
+                               int) {
+    return shader::lq_coated_albedo(surface, wo);
+}
+
+void require_tables(Model model) {
+    if (glsl::table_texels == nullptr)
+        throw Error{fmt::format("the model '{}' reads tables: call use_table_texels() first",
+                                model_name(model))};
+}
+
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {
     using namespace shader;
     const LqOneCoat surface = to_one_coat(one_coat_parameters(material, model));
@@ -92,6 +116,13 @@ std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, 
             return level<lq_openpbr_coat_eval, lq_openpbr_coat_eval_cos, lq_openpbr_coat_pdf,
                          lq_openpbr_coat_sample, lq_openpbr_coat_albedo>(
                 lq_openpbr_coat_prepare(surface));
+        case Model::coated_ggx:
+        case Model::coated_exact:
+            require_tables(model);
+            return level<lq_coated_eval, lq_coated_eval_cos, lq_coated_pdf, lq_coated_sample,
+                         coated_albedo>(lq_coated_prepare(
+                to_coated(one_coat_parameters(material, model),
+                          model == Model::coated_ggx ? LQ_BASE_LOBE_GGX : LQ_BASE_LOBE_EXACT)));
     }
     return nullptr;
 }

@@ -13,18 +13,6 @@ namespace {
 
 constexpr double kSlack = 1e-6;  // of quotients and cosines of numbers rounded to float
 
-std::array<Table, kTableNames.size()> read_all(const std::filesystem::path& folder) {
-    std::array<Table, kTableNames.size()> tables;
-    for (std::size_t n = 0; n < tables.size(); ++n) {
-        const std::filesystem::path file = folder / (std::string{kTableNames[n]} + ".bin");
-        tables[n] = read_table(file);
-        if (tables[n].name != kTableNames[n])
-            throw Error{
-                fmt::format("reading table '{}': it holds '{}'", file.string(), tables[n].name)};
-    }
-    return tables;
-}
-
 void require(const char* name, double value, double low, double high) {
     if (!(value >= low - kSlack && value <= high + kSlack))
         throw Error{fmt::format("{}: {} is outside [{:.6g}, {:.6g}]", name, value, low, high)};
@@ -88,7 +76,20 @@ void require_shapes(const Table& r_up, const Table& multiple, const Table& condu
 
 }  // namespace
 
-EnergyTables::EnergyTables(const std::filesystem::path& folder) : EnergyTables{read_all(folder)} {}
+std::array<Table, kTableNames.size()> read_tables(const std::filesystem::path& folder) {
+    std::array<Table, kTableNames.size()> tables;
+    for (std::size_t n = 0; n < tables.size(); ++n) {
+        const std::filesystem::path file = folder / (std::string{kTableNames[n]} + ".bin");
+        tables[n] = read_table(file);
+        if (tables[n].name != kTableNames[n])
+            throw Error{
+                fmt::format("reading table '{}': it holds '{}'", file.string(), tables[n].name)};
+    }
+    return tables;
+}
+
+EnergyTables::EnergyTables(const std::filesystem::path& folder)
+    : EnergyTables{read_tables(folder)} {}
 
 EnergyTables::EnergyTables(const std::array<Table, kTableNames.size()>& tables)
     : thin_{tables[0], Contrast::thin},

@@ -21,10 +21,13 @@ inline constexpr std::array<const char*, 7> kTableNames{
 // The relative indices that the tables hold: 1/3, as people write it, to 3.
 inline constexpr double kMinTableEta = 0.3333, kMaxTableEta = 3.0;
 
+// Reads the files of kTableNames in `folder`; throws Error naming the one that is missing or
+// damaged.
+std::array<Table, kTableNames.size()> read_tables(const std::filesystem::path& folder);
+
 class EnergyTables {
  public:
-    // Reads the files of kTableNames in `folder`; throws Error naming the one that is missing or
-    // damaged.
+    // See read_tables.
     explicit EnergyTables(const std::filesystem::path& folder);
 
     // From tables in memory, in the order of kTableNames.

@@ -49,6 +49,30 @@ vec2 lq_cos_sin_turn(const float turn) {
     return vec2(cosine, sine);
 }
 
+// Natural logarithm of x in [1/3, 3], to a few roundings: that of some drivers is off by 1e-6.
+// log x = 2 artanh z for z = (x - 1) / (x + 1), |z| <= 1/2, by its Taylor series.
+float lq_log_ratio(const float x) {
+    const float z = (x - 1.0) / (x + 1.0);
+    const float s = z * z;
+    float sum = 0.032258064516129;
+    sum = sum * s + 0.0344827586206897;
+    sum = sum * s + 0.037037037037037;
+    sum = sum * s + 0.04;
+    sum = sum * s + 0.0434782608695652;
+    sum = sum * s + 0.0476190476190476;
+    sum = sum * s + 0.0526315789473684;
+    sum = sum * s + 0.0588235294117647;
+    sum = sum * s + 0.0666666666666667;
+    sum = sum * s + 0.0769230769230769;
+    sum = sum * s + 0.0909090909090909;
+    sum = sum * s + 0.111111111111111;
+    sum = sum * s + 0.142857142857143;
+    sum = sum * s + 0.2;
+    sum = sum * s + 0.333333333333333;
+    sum = sum * s + 1.0;
+    return 2.0 * z * sum;
+}
+
 // exp(x^2) times the first repeated integral of erfc, for x >= 0, to 3e-7 relative:
 //     exp(x^2) ierfc(x) = 1 / sqrt(pi) - x exp(x^2) erfc(x).
 // Polynomial in t = 1 / (1 + 0.4 x) by Chebyshev fit, t^2 carrying the decay 1 / (2 sqrt(pi) x^2).

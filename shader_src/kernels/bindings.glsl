@@ -27,6 +27,15 @@ layout(set = 0, binding = 3, std430) buffer LqResults {
     vec4 rows[];
 } results;
 
+// The baked tables (shader_src/tables/texels.glsl).
+layout(set = 0, binding = 4, std430) readonly buffer LqTables {
+    vec4 texels[];
+} tables;
+
+vec4 lq_table_texel(const int index) {
+    return tables.texels[index];
+}
+
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
 vec3 lq_input_vector(const uint row) {

@@ -6,24 +6,11 @@
 
 #include "../core/frame.glsl"
 #include "../core/sampling.glsl"
+#include "../core/shading.glsl"
 #include "../fresnel/conductor.glsl"
 #include "../fresnel/dielectric.glsl"
 #include "../microfacet/reflection.glsl"
 #include "surface.glsl"
-
-// `wi` unit, `weight` = f cos_theta_i / pdf, `pdf` per solid angle. A sample that reflects nothing
-// has weight 0; its pdf is 0 where wi points below the surface.
-struct LqSample {
-    vec3 wi;
-    vec3 weight;
-    float pdf;
-};
-
-// Directional albedo split by where the light turned back: at the coat or at the base.
-struct LqAlbedo {
-    vec3 direct;
-    vec3 base;
-};
 
 // A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
 const float LQ_MIN_CHOICE = 0.1;

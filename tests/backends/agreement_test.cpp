@@ -6,8 +6,10 @@
 
 #include "backends/jobs.h"
 #include "backends/truth.h"
+#include "compare/tolerances.h"
 #include "lacquer/bsdf.h"
 #include "material/numbers.h"
+#include "tables/texels.h"
 
 namespace lacquer::test {
 namespace {
@@ -24,7 +26,8 @@ double relative_error(double value, double expected) {
     return std::abs(value - expected) / std::max(std::abs(expected), kSmallValue);
 }
 
-void expect_agreement(const Rows& rows, const Rows& expected) {
+void expect_agreement(const Rows& rows, const Rows& expected,
+                      double median_limit = kMedianRelativeError) {
     ASSERT_EQ(rows.size(), expected.size());
     std::vector<double> errors;
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -36,7 +39,7 @@ void expect_agreement(const Rows& rows, const Rows& expected) {
                                rows[i][c], expected[i][c], errors.back());
         }
     std::ranges::nth_element(errors, errors.begin() + errors.size() / 2);
-    EXPECT_LE(errors[errors.size() / 2], kMedianRelativeError);
+    EXPECT_LE(errors[errors.size() / 2], median_limit);
 }
 
 class BackendAgreement : public ::testing::TestWithParam<std::tuple<std::string, Kernel>> {};
@@ -64,18 +67,21 @@ TEST_P(ModelAgreement, WithTheReference) {
     const auto backend = create_or_explain(name, skipped);
     if (!backend) GTEST_SKIP() << skipped;
     for (const Kernel kernel : {Kernel::eval, Kernel::sphere, Kernel::sample, Kernel::albedo}) {
-        OwnedJob owned = make_job(kernel, test_materials(), kernel == Kernel::albedo ? 32 : 1024);
+        OwnedJob owned = make_job(kernel, shadeable(test_materials(), model),
+                                  kernel == Kernel::albedo ? 32 : 1024);
         owned.model = model;
         const JobResult result = backend->run(owned.job());
         SCOPED_TRACE(kernel_shape(kernel).name);
-        expect_agreement(result.rows, expected_rows(owned.job(), result.rows));
+        expect_agreement(result.rows, expected_rows(owned.job(), result.rows),
+                         tolerance_of(name, model).median_rel);
     }
 }
 
 std::string model_test_name(const ::testing::TestParamInfo<ModelAgreement::ParamType>& test) {
-    std::string name = std::get<0>(test.param);
+    std::string name =
+        fmt::format("{}_{}", std::get<0>(test.param), model_name(std::get<1>(test.param)));
     std::ranges::replace(name, '-', '_');
-    return fmt::format("{}_{}", name, model_level(std::get<1>(test.param)));
+    return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, ModelAgreement,
@@ -88,8 +94,9 @@ class Formula : public ::testing::TestWithParam<Model> {};
 
 TEST_P(Formula, OfTheShaderSourceIsThatOfTheReference) {
     constexpr double kPolynomials = 1e-6;  // twice what they are worth: core/math.glsl
-    OwnedJob owned = make_job(Kernel::eval, test_materials(), 512);
+    OwnedJob owned = make_job(Kernel::eval, shadeable(test_materials(), GetParam()), 512);
     owned.model = GetParam();
+    use_table_texels(shipped_texels().data());
     const Rows reference = backend_from_name("reference").create({})->run(owned.job()).rows;
     for (std::size_t query = 0; query < reference.size(); ++query) {
         const Material& material = owned.materials[query / owned.queries_per_material];
@@ -104,8 +111,11 @@ TEST_P(Formula, OfTheShaderSourceIsThatOfTheReference) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, Formula, ::testing::ValuesIn(all_models()),
-                         [](const auto& test) { return std::string{model_level(test.param)}; });
+INSTANTIATE_TEST_SUITE_P(Every, Formula, ::testing::ValuesIn(all_models()), [](const auto& test) {
+    std::string name{model_name(test.param)};
+    std::ranges::replace(name, '-', '_');
+    return name;
+});
 
 std::string test_name(const ::testing::TestParamInfo<BackendAgreement::ParamType>& test) {
     std::string name = std::get<0>(test.param);

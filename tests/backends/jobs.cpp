@@ -1,5 +1,7 @@
 #include "backends/jobs.h"
 
+#include "core/model_scope.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -77,6 +79,13 @@ std::vector<Material> test_materials() {
             {"varnished metal", 1.0, {coat(1.4, Ndf::ggx, 0.05, 0.05)}, brushed, {}},
             {"tinted", 1.0, {tinted}, LambertianBase{{0.8, 0.8, 0.8}}, {}},
             {"tinted metal", 1.0, {tinted}, gold, {}}};
+}
+
+std::vector<Material> shadeable(std::vector<Material> materials, Model model) {
+    std::erase_if(materials, [model](const Material& material) {
+        return why_not_shadeable(material, model).has_value();
+    });
+    return materials;
 }
 
 std::vector<glm::vec4> directions(std::size_t count, double stream) {

@@ -32,6 +32,9 @@ std::vector<Model> other_models();
 // Coated and bare, dielectric and metal, both distributions, isotropic and not, no base.
 std::vector<Material> test_materials();
 
+// Those of them that `model` can shade.
+std::vector<Material> shadeable(std::vector<Material> materials, Model model);
+
 // Unit directions above the surface, spread evenly over solid angle except that every eighth is
 // within a degree of the horizon and every 64th is the normal. `stream` shifts the sequence.
 std::vector<glm::vec4> directions(std::size_t count, double stream);

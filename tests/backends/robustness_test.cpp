@@ -73,7 +73,7 @@ std::vector<Material> extreme_materials() {
 }
 
 // The rows of `kernel` over all pairs (or all directions) for every material.
-OwnedJob strange_job(Kernel kernel) {
+OwnedJob strange_job(Kernel kernel, Model model) {
     const auto& second = kernel == Kernel::sample ? kEdgeNumbers : kStrangeDirections;
     std::vector<glm::vec4> once;
     for (const glm::vec4& direction : kStrangeDirections) {
@@ -86,8 +86,12 @@ OwnedJob strange_job(Kernel kernel) {
             once.push_back(other);
         }
     }
-    OwnedJob owned{
-        kernel, extreme_materials(), once.size() / kernel_shape(kernel).input_rows, {}, {}};
+    OwnedJob owned{kernel,
+                   shadeable(extreme_materials(), model),
+                   once.size() / kernel_shape(kernel).input_rows,
+                   {},
+                   {},
+                   model};
     owned.parameters.point_count = 8;
     for (std::size_t i = 0; i < owned.materials.size(); ++i)
         owned.inputs.insert(owned.inputs.end(), once.begin(), once.end());
@@ -128,7 +132,7 @@ TEST_P(BackendRobustness, ReturnsNoNanInfinityOrNegativeLight) {
     std::string skipped;
     const auto backend = create_or_explain(name, skipped);
     if (!backend) GTEST_SKIP() << skipped;
-    const OwnedJob owned = strange_job(kernel);
+    const OwnedJob owned = strange_job(kernel, Model::plain);
     expect_no_nan_infinity_or_negative_light(owned, backend->run(owned.job()));
 }
 
@@ -140,17 +144,17 @@ TEST_P(ModelRobustness, ReturnsNoNanInfinityOrNegativeLight) {
     const auto backend = create_or_explain(name, skipped);
     if (!backend) GTEST_SKIP() << skipped;
     for (const Kernel kernel : {Kernel::eval, Kernel::sample, Kernel::albedo}) {
-        OwnedJob owned = strange_job(kernel);
-        owned.model = model;
+        const OwnedJob owned = strange_job(kernel, model);
         SCOPED_TRACE(kernel_shape(kernel).name);
         expect_no_nan_infinity_or_negative_light(owned, backend->run(owned.job()));
     }
 }
 
 std::string model_test_name(const ::testing::TestParamInfo<ModelRobustness::ParamType>& test) {
-    std::string name = std::get<0>(test.param);
+    std::string name =
+        fmt::format("{}_{}", std::get<0>(test.param), model_name(std::get<1>(test.param)));
     std::ranges::replace(name, '-', '_');
-    return fmt::format("{}_{}", name, model_level(std::get<1>(test.param)));
+    return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, ModelRobustness,

@@ -40,7 +40,7 @@ TEST(CompareCommand, PassesTheShaderSourceAsCpp) {
 
 TEST(CompareCommand, PassesEveryModelAsCpp) {
     for (const Model model : all_models())
-        expect_success(run_lacquer({"compare", "--backend", "cpp", "--material", "lacquered_copper",
+        expect_success(run_lacquer({"compare", "--backend", "cpp", "--material", "porcelain",
                                     "--model", std::string{model_name(model)}}));
 }
 

@@ -94,7 +94,8 @@ TYPED_TEST(OneCoatLevel, AlbedoIsTheMeanWeight) {
                 squares += weight * weight;
             }
             const double mean = sum / kSamples;
-            const double deviation = std::sqrt(std::max<double>(0.0, squares / kSamples - mean * mean));
+            const double deviation =
+                std::sqrt(std::max<double>(0.0, squares / kSamples - mean * mean));
             const LqAlbedo albedo = level.albedo(wo, kPoints);
             EXPECT_NEAR(static_cast<double>(albedo.direct.y + albedo.base.y), mean,
                         4 * deviation / std::sqrt(kSamples) + kPointError)
@@ -141,7 +142,8 @@ TEST(Transmittance, IsWhatIsNotReflected) {
                 << eta << " " << cosine;
             const double squared = 1 - (1 - cosine * cosine) / (eta * eta);
             const auto refracted = static_cast<double>(shader::lq_refracted_cosine(c, real(eta)));
-            EXPECT_NEAR(refracted * refracted, std::max<double>(squared, 0.0), roundings(32)) << eta;
+            EXPECT_NEAR(refracted * refracted, std::max<double>(squared, 0.0), roundings(32))
+                << eta;
         }
     EXPECT_EQ(shader::lq_transmittance_dielectric(real(0.5), real(0.5)), real(0.0));
 }

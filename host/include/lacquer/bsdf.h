@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 
 #include "core/model.h"
@@ -59,6 +60,10 @@ class Bsdf {
  private:
     std::shared_ptr<const Shading> shading_;
 };
+
+// Gives the coated models the baked tables: LQ_TABLE_TEXELS texels in the order of
+// shader_src/tables/texels.glsl, which must outlive every use. Call it before prepare(), once.
+void use_table_texels(const glm::vec4* texels);
 
 // Makes `material` ready for `model`. Throws Error naming the material and the JSON pointer of a
 // feature that the model cannot shade.

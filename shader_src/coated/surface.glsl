@@ -1,0 +1,88 @@
+// The surface that `lq_coated_*` shades: one rough dielectric coat over an absorbing medium over a
+// Lambertian base, prepared once per shading point for any number of lights.
+// Based on: de Dinechin and Belcour 2022, Rendering Layered Materials with Diffuse Interfaces
+#ifndef LQ_COATED_SURFACE_GLSL
+#define LQ_COATED_SURFACE_GLSL
+
+#include "../interface/energies.glsl"
+#include "../microfacet/facets.glsl"
+
+// How the light that has met the base is distributed.
+const int LQ_BASE_LOBE_EXACT = 0;  // as it is; reciprocal
+const int LQ_BASE_LOBE_GGX = 1;    // a GGX lobe about the normal, for prefiltered lighting
+
+// Less than this average of light reflected more than once is the noise of the tables.
+const float LQ_LEAST_MULTIPLE_AVERAGE = 0.001;
+
+// `eta` = ior of the coat over that of the exterior, in [1/3, 3]; `tau` in [0, 1], transmittance of
+// the coat along its normal; `albedo` of the base in [0, 1]; `base_lobe` one of LQ_BASE_LOBE_*.
+struct LqCoatedMaterial {
+    LqFacets coat;
+    float eta;
+    vec3 tau;
+    vec3 albedo;
+    int base_lobe;
+};
+
+// `returned` is what base and coat make of light that has entered: rho T10_bar / (1 - rho R10_bar);
+// `spread` is rho / (pi eta^2 (1 - rho R10_bar)). `lobe` and `lobe_energy` are the GGX base lobe's.
+struct LqCoatedSurface {
+    LqFacets coat;
+    float eta;
+    int base_lobe;
+    LqInterface energies;
+    vec3 returned;
+    vec3 spread;
+    LqFacets lobe;
+    float lobe_energy;
+};
+
+// The isotropic GGX roughness whose energies stand for those of other facets, to some percent: the
+// mean of two roughnesses; and less of Beckmann's, which has fewer steep facets.
+float lq_coated_energy_alpha(const LqFacets facets, const float eta) {
+    const float alpha = clamp(0.5 * (facets.alpha_x + facets.alpha_y), 0.0, 1.0);
+    if (facets.ndf == LQ_NDF_BECKMANN) {
+        return alpha * (0.52 + (eta < 1.0 ? 0.41 : 0.09) * alpha);
+    }
+    return alpha;
+}
+
+// Roughness of one GGX lobe for all channels, with the variance of all the light that leaves.
+LqFacets lq_coated_base_facets(const LqInterface energies, const vec3 returned) {
+    const vec4 average = max(lq_direction_energy(energies.transmission), vec4(0.0));
+    const vec3 light =
+        vec3(average.x * returned.x, average.y * returned.y, average.z * returned.z);
+    const float sum = light.x + light.y + light.z;
+    const vec3 variances = lq_interface_variance(energies);
+    const float variance = sum > LQ_MIN_ENERGY ? dot(light, variances) / sum : variances.x;
+    const float alpha = lq_equivalent_alpha(variance);
+    return lq_facets_prepare(LQ_NDF_GGX, alpha, alpha);
+}
+
+// The surface for shading: call it once per shading point. What is out of range is clamped.
+LqCoatedSurface lq_coated_prepare(const LqCoatedMaterial material) {
+    const float eta = clamp(material.eta, LQ_MIN_ETA, LQ_MAX_ETA);
+    const vec3 tau = clamp(material.tau, vec3(0.0), vec3(1.0));
+    const vec3 albedo = clamp(material.albedo, vec3(0.0), vec3(1.0));
+    LqCoatedSurface surface;
+    surface.coat = lq_facets_prepare(material.coat.ndf, material.coat.alpha_x, material.coat.alpha_y);
+    surface.eta = eta;
+    surface.base_lobe = material.base_lobe;
+    surface.energies =
+        lq_interface_prepare(lq_coated_energy_alpha(material.coat, eta), eta, tau);
+    surface.energies.multiple_average =
+        max(surface.energies.multiple_average, LQ_LEAST_MULTIPLE_AVERAGE);
+    // The base reflects again what the coat sends back: a geometric series.
+    const vec3 reflected = albedo / (vec3(1.0) - albedo * surface.energies.r_up);
+    surface.returned = reflected * surface.energies.t_up;
+    surface.spread = reflected * (LQ_INVERSE_PI / (eta * eta));
+    surface.lobe = surface.coat;
+    surface.lobe_energy = 1.0;
+    if (material.base_lobe == LQ_BASE_LOBE_GGX) {
+        surface.lobe = lq_coated_base_facets(surface.energies, surface.returned);
+        surface.lobe_energy = lq_normal_lobe_energy(surface.lobe.alpha_x);
+    }
+    return surface;
+}
+
+#endif
