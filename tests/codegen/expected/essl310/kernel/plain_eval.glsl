@@ -2,7 +2,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL ES 3.10, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 bc6d720cb8f609abb152e5c83a6623434c287382f3fbdb49f85b0facf2214087.
+// Generated; source sha256 c89eba6dd86ec8c65e79d9f9432d3404c610085a1686410a8d0d20183824f88f.
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
@@ -26,11 +26,6 @@ const float LQ_MIN_COSINE_PRODUCT = 1.0e-30;
 const float LQ_MIN_SQUARED_LENGTH = 0.5;
 const float LQ_MAX_SQUARED_LENGTH = 2.0;
 
-// Keep 0 / 0 away: at exactly grazing incidence on a boundary without contrast, and at normal
-// incidence on an index of 0, whose reflectance is 1 like that of any index near it.
-const float LQ_MIN_FRESNEL_COSINE = 1.0e-12;
-const float LQ_MIN_FRESNEL_TERM = 1.0e-30;
-
 // exp of anything below this is 0 beside the smallest value that matters (1e-35 of the peak).
 const float LQ_MIN_EXPONENT = -80.0;
 const int LQ_NDF_BECKMANN = 1;
@@ -41,6 +36,11 @@ struct LqFacets {
     float alpha_x;
     float alpha_y;
 };
+
+// Keep 0 / 0 away: at exactly grazing incidence on a boundary without contrast, and at normal
+// incidence on an index of 0, whose reflectance is 1 like that of any index near it.
+const float LQ_MIN_FRESNEL_COSINE = 1.0e-12;
+const float LQ_MIN_FRESNEL_TERM = 1.0e-30;
 
 // What lies below the coat, or is seen bare.
 const int LQ_BASE_NONE = 0;
@@ -89,6 +89,10 @@ layout(binding = 3, std430) buffer LqResults {
     vec4 rows[];
 } results;
 
+layout(binding = 4, std430) readonly buffer LqTables {
+    vec4 texels[];
+} tables;
+
 vec3 lq_input_vector(uint row) {
     return inputs.rows[row].xyz;
 }
@@ -133,61 +137,6 @@ float lq_scaled_ierfc(float x) {
 // Density per solid angle of `lq_sample_cosine_hemisphere`.
 float lq_cosine_hemisphere_pdf(float cos_theta) {
     return max(cos_theta, 0.0) * LQ_INVERSE_PI;
-}
-
-// Fresnel reflectance for cos_theta_i in [0, 1] and a conductor of index eta + i kappa (kappa >= 0)
-// relative to the medium of incidence.
-//
-// The refracted normal component is (a + i b), with a^2 - b^2 = eta^2 - kappa^2 - sin^2 theta_i and
-// a b = eta kappa. The difference is taken from 1 on both sides, or at grazing an index near the
-// exterior's would leave nothing but rounding. The larger of a and b comes from a sum of positive terms and the other from the
-// product: the textbook's difference of near-equal terms loses four digits for noble metals.
-float lq_fresnel_conductor(float cos_theta_i, float eta, float kappa) {
-    float c = clamp(cos_theta_i, LQ_MIN_FRESNEL_COSINE, 1.0);
-    float sin_squared = (1.0 - c) * (1.0 + c);
-    float difference = (eta - 1.0) * (eta + 1.0) - kappa * kappa + c * c;
-    float product = eta * kappa;
-    float larger =
-        sqrt(0.5 * (sqrt(difference * difference + 4.0 * product * product) + abs(difference)));
-    float smaller = larger > 0.0 ? product / larger : 0.0;
-    float a = difference >= 0.0 ? larger : smaller;
-    float b = difference >= 0.0 ? smaller : larger;
-    float s_part = ((a - c) * (a - c) + b * b) / ((a + c) * (a + c) + b * b);
-    float p_minus = a * c - sin_squared;
-    float p_plus = a * c + sin_squared;
-    float offset = b * b * c * c + LQ_MIN_FRESNEL_TERM;
-    float p_part = (p_minus * p_minus + offset) / (p_plus * p_plus + offset);
-    return min(0.5 * s_part * (1.0 + p_part), 1.0);
-}
-
-// The same for an index per colour channel.
-vec3 lq_fresnel_conductor_rgb(float cos_theta_i, vec3 eta, vec3 kappa) {
-    return vec3(lq_fresnel_conductor(cos_theta_i, eta.x, kappa.x),
-        lq_fresnel_conductor(cos_theta_i, eta.y, kappa.y),
-        lq_fresnel_conductor(cos_theta_i, eta.z, kappa.z));
-}
-
-// Fresnel reflectance for cos_theta_i in [0, 1], eta = ior transmitted / ior incident; 1 beyond the
-// critical angle.
-//
-// With g = eta cos_theta_t, g^2 = eta^2 - 1 + cos_theta_i^2, the amplitudes
-//     r_s = (c - g) / (c + g),    r_p = (eta^2 c - g) / (eta^2 c + g)
-// lose all digits in their numerators as eta nears 1. Multiplied by their own denominators these
-// become (1 - eta^2) and (eta^2 - 1) (c^2 (eta^2 + 1) - 1), which do not.
-float lq_fresnel_dielectric(float cos_theta_i, float eta) {
-    float c = clamp(cos_theta_i, 0.0, 1.0);
-    float contrast = (eta - 1.0) * (eta + 1.0);
-    float g_squared = contrast + c * c;
-    if (g_squared <= 0.0) {
-        return 1.0;
-    }
-    float g = sqrt(g_squared);
-    float denominator_s = c + g;
-    float denominator_p = eta * eta * c + g;
-    float amplitude_s = contrast / (denominator_s * denominator_s);
-    float amplitude_p = contrast * (c * c * (eta * eta + 1.0) - 1.0) /
-        (denominator_p * denominator_p);
-    return min(0.5 * (amplitude_s * amplitude_s + amplitude_p * amplitude_p), 1.0);
 }
 
 // Density of facet normals wm (unit, upper hemisphere) per solid angle and projected area.
@@ -296,6 +245,61 @@ float lq_reflection_pdf(LqFacets facets, vec3 wi, vec3 wo) {
     float density = lq_facets_density(facets, lq_halfway(wi, wo));
     float lambda_o = lq_facets_projected_lambda(facets, wo);
     return 0.25 * density / max(wo.z + lambda_o, LQ_MIN_COSINE_PRODUCT);
+}
+
+// Fresnel reflectance for cos_theta_i in [0, 1], eta = ior transmitted / ior incident; 1 beyond the
+// critical angle.
+//
+// With g = eta cos_theta_t, g^2 = eta^2 - 1 + cos_theta_i^2, the amplitudes
+//     r_s = (c - g) / (c + g),    r_p = (eta^2 c - g) / (eta^2 c + g)
+// lose all digits in their numerators as eta nears 1. Multiplied by their own denominators these
+// become (1 - eta^2) and (eta^2 - 1) (c^2 (eta^2 + 1) - 1), which do not.
+float lq_fresnel_dielectric(float cos_theta_i, float eta) {
+    float c = clamp(cos_theta_i, 0.0, 1.0);
+    float contrast = (eta - 1.0) * (eta + 1.0);
+    float g_squared = contrast + c * c;
+    if (g_squared <= 0.0) {
+        return 1.0;
+    }
+    float g = sqrt(g_squared);
+    float denominator_s = c + g;
+    float denominator_p = eta * eta * c + g;
+    float amplitude_s = contrast / (denominator_s * denominator_s);
+    float amplitude_p = contrast * (c * c * (eta * eta + 1.0) - 1.0) /
+        (denominator_p * denominator_p);
+    return min(0.5 * (amplitude_s * amplitude_s + amplitude_p * amplitude_p), 1.0);
+}
+
+// Fresnel reflectance for cos_theta_i in [0, 1] and a conductor of index eta + i kappa (kappa >= 0)
+// relative to the medium of incidence.
+//
+// The refracted normal component is (a + i b), with a^2 - b^2 = eta^2 - kappa^2 - sin^2 theta_i and
+// a b = eta kappa. The difference is taken from 1 on both sides, or at grazing an index near the
+// exterior's would leave nothing but rounding. The larger of a and b comes from a sum of positive terms and the other from the
+// product: the textbook's difference of near-equal terms loses four digits for noble metals.
+float lq_fresnel_conductor(float cos_theta_i, float eta, float kappa) {
+    float c = clamp(cos_theta_i, LQ_MIN_FRESNEL_COSINE, 1.0);
+    float sin_squared = (1.0 - c) * (1.0 + c);
+    float difference = (eta - 1.0) * (eta + 1.0) - kappa * kappa + c * c;
+    float product = eta * kappa;
+    float larger =
+        sqrt(0.5 * (sqrt(difference * difference + 4.0 * product * product) + abs(difference)));
+    float smaller = larger > 0.0 ? product / larger : 0.0;
+    float a = difference >= 0.0 ? larger : smaller;
+    float b = difference >= 0.0 ? smaller : larger;
+    float s_part = ((a - c) * (a - c) + b * b) / ((a + c) * (a + c) + b * b);
+    float p_minus = a * c - sin_squared;
+    float p_plus = a * c + sin_squared;
+    float offset = b * b * c * c + LQ_MIN_FRESNEL_TERM;
+    float p_part = (p_minus * p_minus + offset) / (p_plus * p_plus + offset);
+    return min(0.5 * s_part * (1.0 + p_part), 1.0);
+}
+
+// The same for an index per colour channel.
+vec3 lq_fresnel_conductor_rgb(float cos_theta_i, vec3 eta, vec3 kappa) {
+    return vec3(lq_fresnel_conductor(cos_theta_i, eta.x, kappa.x),
+        lq_fresnel_conductor(cos_theta_i, eta.y, kappa.y),
+        lq_fresnel_conductor(cos_theta_i, eta.z, kappa.z));
 }
 
 // The surface with every parameter brought into its range.

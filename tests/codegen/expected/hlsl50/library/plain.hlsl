@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 5.0, functions only, nothing bound.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 80973babaac16098934943694662c8a533b1847317e27464db63dd2e0aa5331f.
+// Generated; source sha256 8d48c85b16559f190ecd382ad99e2ccec8d5e3990c24318d43f7b3a327ff274f.
 //
 // Directions are unit vectors in a local frame whose z is the normal: wi towards the light, wo
 // towards the viewer, wm a facet normal. f is the BSDF per steradian without the cosine; a name
@@ -126,6 +126,30 @@ float2 lq_cos_sin_turn(float turn) {
     return float2(cosine, sine);
 }
 
+// Natural logarithm of x in [1/3, 3], to a few roundings: that of some drivers is off by 1e-6.
+// log x = 2 artanh z for z = (x - 1) / (x + 1), |z| <= 1/2, by its Taylor series.
+float lq_log_ratio(float x) {
+    float z = (x - 1.0f) / (x + 1.0f);
+    float s = z * z;
+    float sum = 0.032258064f;
+    sum = sum * s + 0.03448276f;
+    sum = sum * s + 0.037037037f;
+    sum = sum * s + 0.04f;
+    sum = sum * s + 0.04347826f;
+    sum = sum * s + 0.04761905f;
+    sum = sum * s + 0.05263158f;
+    sum = sum * s + 0.05882353f;
+    sum = sum * s + 0.06666667f;
+    sum = sum * s + 0.07692308f;
+    sum = sum * s + 0.09090909f;
+    sum = sum * s + 0.11111111f;
+    sum = sum * s + 0.14285715f;
+    sum = sum * s + 0.2f;
+    sum = sum * s + 0.33333334f;
+    sum = sum * s + 1.0f;
+    return 2.0f * z * sum;
+}
+
 // exp(x^2) times the first repeated integral of erfc, for x >= 0, to 3e-7 relative:
 //     exp(x^2) ierfc(x) = 1 / sqrt(pi) - x exp(x^2) erfc(x).
 // Polynomial in t = 1 / (1 + 0.4 x) by Chebyshev fit, t^2 carrying the decay 1 / (2 sqrt(pi) x^2).
@@ -169,6 +193,22 @@ float2 lq_low_discrepancy_point(uint index) {
     uint y = 2147483648u + (index + 1u) * 2447445414u;
     return float2(float(x >> 8u), float(y >> 8u)) * 5.9604645e-8f;
 }
+
+// What every model's `sample` and `albedo` return.
+
+// `wi` unit, `weight` = f cos_theta_i / pdf, `pdf` per solid angle. A sample that reflects nothing
+// has weight 0; its pdf is 0 where wi points below the surface.
+struct LqSample {
+    float3 wi;
+    float3 weight;
+    float pdf;
+};
+
+// Directional albedo split by where the light turned back: at the coat or at the base.
+struct LqAlbedo {
+    float3 direct;
+    float3 base;
+};
 
 // Reflectance of a smooth boundary between a dielectric and a conductor, unpolarised light.
 // Based on: Born and Wolf 1999, Principles of Optics, section 14.2
@@ -585,20 +625,6 @@ LqOneCoat lq_one_coat_prepare(LqOneCoat surface) {
 // What the models of one coat share: the coat's single reflections, the base's lobe, and choosing a
 // direction from either. Surfaces are prepared; wi and wo are above the surface.
 // Based on: Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces
-
-// `wi` unit, `weight` = f cos_theta_i / pdf, `pdf` per solid angle. A sample that reflects nothing
-// has weight 0; its pdf is 0 where wi points below the surface.
-struct LqSample {
-    float3 wi;
-    float3 weight;
-    float pdf;
-};
-
-// Directional albedo split by where the light turned back: at the coat or at the base.
-struct LqAlbedo {
-    float3 direct;
-    float3 base;
-};
 
 // A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
 static const float LQ_MIN_CHOICE = 0.1f;

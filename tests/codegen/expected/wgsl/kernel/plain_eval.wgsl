@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // WGSL, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 bc6d720cb8f609abb152e5c83a6623434c287382f3fbdb49f85b0facf2214087.
+// Generated; source sha256 c89eba6dd86ec8c65e79d9f9432d3404c610085a1686410a8d0d20183824f88f.
 
 const LQ_PI: f32 = 3.1415927;
 const LQ_INVERSE_PI: f32 = 0.31830987;
@@ -23,11 +23,6 @@ const LQ_MIN_COSINE_PRODUCT: f32 = 1.0e-30;
 const LQ_MIN_SQUARED_LENGTH: f32 = 0.5;
 const LQ_MAX_SQUARED_LENGTH: f32 = 2.0;
 
-// Keep 0 / 0 away: at exactly grazing incidence on a boundary without contrast, and at normal
-// incidence on an index of 0, whose reflectance is 1 like that of any index near it.
-const LQ_MIN_FRESNEL_COSINE: f32 = 1.0e-12;
-const LQ_MIN_FRESNEL_TERM: f32 = 1.0e-30;
-
 // exp of anything below this is 0 beside the smallest value that matters (1e-35 of the peak).
 const LQ_MIN_EXPONENT: f32 = -80.0;
 const LQ_NDF_BECKMANN: i32 = 1;
@@ -38,6 +33,11 @@ struct LqFacets {
     alpha_x: f32,
     alpha_y: f32,
 }
+
+// Keep 0 / 0 away: at exactly grazing incidence on a boundary without contrast, and at normal
+// incidence on an index of 0, whose reflectance is 1 like that of any index near it.
+const LQ_MIN_FRESNEL_COSINE: f32 = 1.0e-12;
+const LQ_MIN_FRESNEL_TERM: f32 = 1.0e-30;
 
 // What lies below the coat, or is seen bare.
 const LQ_BASE_NONE: i32 = 0;
@@ -86,10 +86,15 @@ struct LqResults {
     rows: array<vec4f>,
 }
 
+struct LqTables {
+    texels: array<vec4f>,
+}
+
 @group(0) @binding(2) var<storage> inputs: LqInputs;
 @group(0) @binding(0) var<uniform> parameters: LqKernelParameters;
 @group(0) @binding(1) var<storage> surfaces: LqSurfaces;
 @group(0) @binding(3) var<storage, read_write> results: LqResults;
+@group(0) @binding(4) var<storage> tables: LqTables;
 
 fn lq_input_vector(row: u32) -> vec3f {
     return inputs.rows[row].xyz;
@@ -141,66 +146,6 @@ fn lq_scaled_ierfc(x: f32) -> f32 {
 // Density per solid angle of `lq_sample_cosine_hemisphere`.
 fn lq_cosine_hemisphere_pdf(cos_theta: f32) -> f32 {
     return max(cos_theta, 0.0) * LQ_INVERSE_PI;
-}
-
-// Fresnel reflectance for cos_theta_i in [0, 1] and a conductor of index eta + i kappa (kappa >= 0)
-// relative to the medium of incidence.
-//
-// The refracted normal component is (a + i b), with a^2 - b^2 = eta^2 - kappa^2 - sin^2 theta_i and
-// a b = eta kappa. The difference is taken from 1 on both sides, or at grazing an index near the
-// exterior's would leave nothing but rounding. The larger of a and b comes from a sum of positive terms and the other from the
-// product: the textbook's difference of near-equal terms loses four digits for noble metals.
-fn lq_fresnel_conductor(cos_theta_i: f32, eta: f32, kappa: f32) -> f32 {
-    let c = clamp(cos_theta_i, LQ_MIN_FRESNEL_COSINE, 1.0);
-    let sin_squared = (1.0 - c) * (1.0 + c);
-    let difference = (eta - 1.0) * (eta + 1.0) - kappa * kappa + c * c;
-    let product = eta * kappa;
-    let larger =
-        sqrt(0.5 * (sqrt(difference * difference + 4.0 * product * product) + abs(difference)));
-    var smaller: f32;
-    if (larger > 0.0) {
-        smaller = product / larger;
-    } else {
-        smaller = 0.0;
-    }
-    let a = select(smaller, larger, difference >= 0.0);
-    let b = select(larger, smaller, difference >= 0.0);
-    let s_part = ((a - c) * (a - c) + b * b) / ((a + c) * (a + c) + b * b);
-    let p_minus = a * c - sin_squared;
-    let p_plus = a * c + sin_squared;
-    let offset = b * b * c * c + LQ_MIN_FRESNEL_TERM;
-    let p_part = (p_minus * p_minus + offset) / (p_plus * p_plus + offset);
-    return min(0.5 * s_part * (1.0 + p_part), 1.0);
-}
-
-// The same for an index per colour channel.
-fn lq_fresnel_conductor_rgb(cos_theta_i: f32, eta: vec3f, kappa: vec3f) -> vec3f {
-    return vec3f(lq_fresnel_conductor(cos_theta_i, eta.x, kappa.x),
-        lq_fresnel_conductor(cos_theta_i, eta.y, kappa.y),
-        lq_fresnel_conductor(cos_theta_i, eta.z, kappa.z));
-}
-
-// Fresnel reflectance for cos_theta_i in [0, 1], eta = ior transmitted / ior incident; 1 beyond the
-// critical angle.
-//
-// With g = eta cos_theta_t, g^2 = eta^2 - 1 + cos_theta_i^2, the amplitudes
-//     r_s = (c - g) / (c + g),    r_p = (eta^2 c - g) / (eta^2 c + g)
-// lose all digits in their numerators as eta nears 1. Multiplied by their own denominators these
-// become (1 - eta^2) and (eta^2 - 1) (c^2 (eta^2 + 1) - 1), which do not.
-fn lq_fresnel_dielectric(cos_theta_i: f32, eta: f32) -> f32 {
-    let c = clamp(cos_theta_i, 0.0, 1.0);
-    let contrast = (eta - 1.0) * (eta + 1.0);
-    let g_squared = contrast + c * c;
-    if (g_squared <= 0.0) {
-        return 1.0;
-    }
-    let g = sqrt(g_squared);
-    let denominator_s = c + g;
-    let denominator_p = eta * eta * c + g;
-    let amplitude_s = contrast / (denominator_s * denominator_s);
-    let amplitude_p = contrast * (c * c * (eta * eta + 1.0) - 1.0) /
-        (denominator_p * denominator_p);
-    return min(0.5 * (amplitude_s * amplitude_s + amplitude_p * amplitude_p), 1.0);
 }
 
 // Density of facet normals wm (unit, upper hemisphere) per solid angle and projected area.
@@ -309,6 +254,66 @@ fn lq_reflection_pdf(facets: LqFacets, wi: vec3f, wo: vec3f) -> f32 {
     let density = lq_facets_density(facets, lq_halfway(wi, wo));
     let lambda_o = lq_facets_projected_lambda(facets, wo);
     return 0.25 * density / max(wo.z + lambda_o, LQ_MIN_COSINE_PRODUCT);
+}
+
+// Fresnel reflectance for cos_theta_i in [0, 1], eta = ior transmitted / ior incident; 1 beyond the
+// critical angle.
+//
+// With g = eta cos_theta_t, g^2 = eta^2 - 1 + cos_theta_i^2, the amplitudes
+//     r_s = (c - g) / (c + g),    r_p = (eta^2 c - g) / (eta^2 c + g)
+// lose all digits in their numerators as eta nears 1. Multiplied by their own denominators these
+// become (1 - eta^2) and (eta^2 - 1) (c^2 (eta^2 + 1) - 1), which do not.
+fn lq_fresnel_dielectric(cos_theta_i: f32, eta: f32) -> f32 {
+    let c = clamp(cos_theta_i, 0.0, 1.0);
+    let contrast = (eta - 1.0) * (eta + 1.0);
+    let g_squared = contrast + c * c;
+    if (g_squared <= 0.0) {
+        return 1.0;
+    }
+    let g = sqrt(g_squared);
+    let denominator_s = c + g;
+    let denominator_p = eta * eta * c + g;
+    let amplitude_s = contrast / (denominator_s * denominator_s);
+    let amplitude_p = contrast * (c * c * (eta * eta + 1.0) - 1.0) /
+        (denominator_p * denominator_p);
+    return min(0.5 * (amplitude_s * amplitude_s + amplitude_p * amplitude_p), 1.0);
+}
+
+// Fresnel reflectance for cos_theta_i in [0, 1] and a conductor of index eta + i kappa (kappa >= 0)
+// relative to the medium of incidence.
+//
+// The refracted normal component is (a + i b), with a^2 - b^2 = eta^2 - kappa^2 - sin^2 theta_i and
+// a b = eta kappa. The difference is taken from 1 on both sides, or at grazing an index near the
+// exterior's would leave nothing but rounding. The larger of a and b comes from a sum of positive terms and the other from the
+// product: the textbook's difference of near-equal terms loses four digits for noble metals.
+fn lq_fresnel_conductor(cos_theta_i: f32, eta: f32, kappa: f32) -> f32 {
+    let c = clamp(cos_theta_i, LQ_MIN_FRESNEL_COSINE, 1.0);
+    let sin_squared = (1.0 - c) * (1.0 + c);
+    let difference = (eta - 1.0) * (eta + 1.0) - kappa * kappa + c * c;
+    let product = eta * kappa;
+    let larger =
+        sqrt(0.5 * (sqrt(difference * difference + 4.0 * product * product) + abs(difference)));
+    var smaller: f32;
+    if (larger > 0.0) {
+        smaller = product / larger;
+    } else {
+        smaller = 0.0;
+    }
+    let a = select(smaller, larger, difference >= 0.0);
+    let b = select(larger, smaller, difference >= 0.0);
+    let s_part = ((a - c) * (a - c) + b * b) / ((a + c) * (a + c) + b * b);
+    let p_minus = a * c - sin_squared;
+    let p_plus = a * c + sin_squared;
+    let offset = b * b * c * c + LQ_MIN_FRESNEL_TERM;
+    let p_part = (p_minus * p_minus + offset) / (p_plus * p_plus + offset);
+    return min(0.5 * s_part * (1.0 + p_part), 1.0);
+}
+
+// The same for an index per colour channel.
+fn lq_fresnel_conductor_rgb(cos_theta_i: f32, eta: vec3f, kappa: vec3f) -> vec3f {
+    return vec3f(lq_fresnel_conductor(cos_theta_i, eta.x, kappa.x),
+        lq_fresnel_conductor(cos_theta_i, eta.y, kappa.y),
+        lq_fresnel_conductor(cos_theta_i, eta.z, kappa.z));
 }
 
 // The surface with every parameter brought into its range.
