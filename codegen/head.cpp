@@ -31,8 +31,8 @@ constexpr std::string_view kConventions =
 // What a level that reads tables asks for.
 constexpr std::string_view kTables =
     "//\n"
-    "// Define lq_table_texel(index), of four floats, above: it returns the texel of an index in\n"
-    "// [0, LQ_TABLE_TEXELS) of the baked tables, unfiltered.\n";
+    "// Define lq_table_texel(index), of four floats, above: it returns a texel of the packed tables,\n"
+    "// unfiltered.\n";
 
 }  // namespace
 

@@ -37,11 +37,11 @@ float lq_coated_lobe_share(const LqCoatedSurface surface) {
 
 // Density of `lq_coated_base_sample`, which does not depend on the viewer; wi above the surface.
 float lq_coated_base_pdf(const LqCoatedSurface surface, const vec3 wi) {
-    if (surface.base_lobe == LQ_BASE_LOBE_GGX) {
-        const vec3 wm = lq_halfway(wi, vec3(0.0, 0.0, 1.0));
-        return 0.25 * lq_facets_density(surface.lobe, wm) / lq_coated_lobe_share(surface);
+    if (surface.base_lobe == LQ_BASE_LOBE_EXACT) {
+        return lq_cosine_hemisphere_pdf(wi.z);
     }
-    return lq_cosine_hemisphere_pdf(wi.z);
+    const vec3 wm = lq_halfway(wi, vec3(0.0, 0.0, 1.0));
+    return 0.25 * lq_facets_density(surface.lobe, wm) / lq_coated_lobe_share(surface);
 }
 
 // A cosine-weighted direction (exact), or the normal mirrored by a facet (ggx).

@@ -59,28 +59,29 @@ LqAbsorption lq_interface_absorption(const int first, const vec3 tau) {
 
 // eta < 1, to one side: 8, 8, 6, 6 and 4 coefficients for the functions of tau, end to end.
 LqCoefficients lq_interface_thin_side(const LqCell cell, const LqAbsorption absorption) {
-    const vec4 t0 = lq_table_read(cell, 0);
-    const vec4 t1 = lq_table_read(cell, 1);
-    const vec4 t2 = lq_table_read(cell, 2);
-    const vec4 t3 = lq_table_read(cell, 3);
-    const vec4 t4 = lq_table_read(cell, 4);
-    const vec4 t5 = lq_table_read(cell, 5);
-    const vec4 t6 = lq_table_read(cell, 6);
-    const vec4 t7 = lq_table_read(cell, 7);
-    const vec4 a0 = absorption.values[0];
-    const vec4 a1 = absorption.values[1];
-    const vec4 a2 = absorption.values[2];
-    const vec4 a3 = absorption.values[3];
-    const vec4 a4 = absorption.values[4];
+    vec4 texels[LQ_T_DOWN_THIN_TEXELS];
+    for (int n = 0; n < LQ_T_DOWN_THIN_TEXELS; n++) {
+        texels[n] = lq_table_read(cell, n);
+    }
     LqCoefficients side;
-    side.values[0] = a0 * t0.x + a1 * t2.x + a2 * t4.x + a3 * t5.z + a4 * t7.x;
-    side.values[1] = a0 * t0.y + a1 * t2.y + a2 * t4.y + a3 * t5.w + a4 * t7.y;
-    side.values[2] = a0 * t0.z + a1 * t2.z + a2 * t4.z + a3 * t6.x + a4 * t7.z;
-    side.values[3] = a0 * t0.w + a1 * t2.w + a2 * t4.w + a3 * t6.y + a4 * t7.w;
-    side.values[4] = a0 * t1.x + a1 * t3.x + a2 * t5.x + a3 * t6.z;
-    side.values[5] = a0 * t1.y + a1 * t3.y + a2 * t5.y + a3 * t6.w;
-    side.values[6] = a0 * t1.z + a1 * t3.z;
-    side.values[7] = a0 * t1.w + a1 * t3.w;
+    side.values[0] = absorption.values[0] * texels[0].x + absorption.values[1] * texels[2].x +
+                     absorption.values[2] * texels[4].x + absorption.values[3] * texels[5].z +
+                     absorption.values[4] * texels[7].x;
+    side.values[1] = absorption.values[0] * texels[0].y + absorption.values[1] * texels[2].y +
+                     absorption.values[2] * texels[4].y + absorption.values[3] * texels[5].w +
+                     absorption.values[4] * texels[7].y;
+    side.values[2] = absorption.values[0] * texels[0].z + absorption.values[1] * texels[2].z +
+                     absorption.values[2] * texels[4].z + absorption.values[3] * texels[6].x +
+                     absorption.values[4] * texels[7].z;
+    side.values[3] = absorption.values[0] * texels[0].w + absorption.values[1] * texels[2].w +
+                     absorption.values[2] * texels[4].w + absorption.values[3] * texels[6].y +
+                     absorption.values[4] * texels[7].w;
+    side.values[4] = absorption.values[0] * texels[1].x + absorption.values[1] * texels[3].x +
+                     absorption.values[2] * texels[5].x + absorption.values[3] * texels[6].z;
+    side.values[5] = absorption.values[0] * texels[1].y + absorption.values[1] * texels[3].y +
+                     absorption.values[2] * texels[5].y + absorption.values[3] * texels[6].w;
+    side.values[6] = absorption.values[0] * texels[1].z + absorption.values[1] * texels[3].z;
+    side.values[7] = absorption.values[0] * texels[1].w + absorption.values[1] * texels[3].w;
     return side;
 }
 
@@ -153,28 +154,26 @@ LqCoefficients lq_interface_multiple_side(const int first, const LqSegment row,
 LqDirectionPolynomial lq_interface_multiple(const float alpha, const float eta) {
     const LqSegment row = lq_alpha_segment(alpha, LQ_TABLE_ALPHAS);
     const LqSegment column = lq_eta_segment(eta, LQ_TABLE_ETAS);
-    const bool thin = eta < 1.0;
     LqDirectionPolynomial multiple;
     multiple.critical = lq_critical_cosine(eta);
-    multiple.above = lq_interface_multiple_side(
-        thin ? LQ_MULTIPLE_THIN_ABOVE : LQ_MULTIPLE_DENSE_ABOVE, row, column);
-    multiple.below = multiple.above;
-    if (thin) {
+    if (eta < 1.0) {
         multiple.below = lq_interface_multiple_side(LQ_MULTIPLE_THIN_BELOW, row, column);
+        multiple.above = lq_interface_multiple_side(LQ_MULTIPLE_THIN_ABOVE, row, column);
+        return multiple;
     }
+    multiple.above = lq_interface_multiple_side(LQ_MULTIPLE_DENSE_ABOVE, row, column);
+    multiple.below = multiple.above;
     return multiple;
 }
 
-// What the two crossings of the medium leave of the light reflected inside, in [0, 1].
-vec3 lq_interface_dimming(const float alpha, const float eta, const vec3 tau) {
-    const bool thin = eta < 1.0;
+// Below, from the arrays of one side of eta 1.
+vec3 lq_interface_dimming_side(const int maps, const int first, const float alpha,
+                               const float eta, const vec3 tau) {
     const LqCell cell =
-        lq_table_cell(thin ? LQ_R_UP_THIN_MAPS : LQ_R_UP_DENSE_MAPS,
-                      lq_alpha_segment(alpha, LQ_TABLE_ALPHAS),
+        lq_table_cell(maps, lq_alpha_segment(alpha, LQ_TABLE_ALPHAS),
                       lq_eta_segment(eta, LQ_TABLE_ETAS), LQ_TABLE_ETAS, LQ_R_UP_TEXELS);
     const vec4 low = lq_table_read(cell, 0);
     const vec4 high = lq_table_read(cell, 1);
-    const int first = thin ? LQ_R_UP_THIN_ABSORPTION : LQ_R_UP_DENSE_ABSORPTION;
     const LqSegment red = lq_tau_segment(tau.x);
     const LqSegment green = lq_tau_segment(tau.y);
     const LqSegment blue = lq_tau_segment(tau.z);
@@ -185,6 +184,15 @@ vec3 lq_interface_dimming(const float alpha, const float eta, const vec3 tau) {
                              dot(low, lq_table_read_line(first, blue, LQ_R_UP_TEXELS, 0)) +
                                  dot(high, lq_table_read_line(first, blue, LQ_R_UP_TEXELS, 1)));
     return clamp(vec3(1.0) + change, vec3(0.0), vec3(1.0));
+}
+
+// What the two crossings of the medium leave of the light reflected inside, in [0, 1].
+vec3 lq_interface_dimming(const float alpha, const float eta, const vec3 tau) {
+    if (eta < 1.0) {
+        return lq_interface_dimming_side(LQ_R_UP_THIN_MAPS, LQ_R_UP_THIN_ABSORPTION, alpha, eta,
+                                         tau);
+    }
+    return lq_interface_dimming_side(LQ_R_UP_DENSE_MAPS, LQ_R_UP_DENSE_ABSORPTION, alpha, eta, tau);
 }
 
 // alpha in [0, 1] of GGX facets; eta = ior below / ior above in [1/3, 3]; tau in [0, 1] per colour

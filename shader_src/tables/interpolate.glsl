@@ -1,8 +1,8 @@
 // Linear interpolation among table nodes, by hand: the same in every language and on every device,
 // which a sampler's filter is not.
 //
-// Whoever includes this supplies `vec4 lq_table_texel(const int index)`, the texel of an index in
-// [0, LQ_TABLE_TEXELS): from a buffer, or with texelFetch from a texture.
+// Whoever includes this supplies `vec4 lq_table_texel(const int index)`, a texel of the packed
+// tables: from a buffer, or with texelFetch from a texture.
 #ifndef LQ_TABLES_INTERPOLATE_GLSL
 #define LQ_TABLES_INTERPOLATE_GLSL
 

@@ -8,6 +8,7 @@
 
 #include "codegen/emit.h"
 #include "codegen/naga.h"
+#include "codegen/variants.h"
 #include "core/file.h"
 #include "support/temporary_folder.h"
 
@@ -102,21 +103,39 @@ std::string hlsl_complaint(const std::string& text, std::string_view stage) {
     return complaint(text, stage, true);
 }
 
+std::string table_access(const codegen::ShaderFile& file) {
+    const bool wanted =
+        file.form == codegen::Form::library && codegen::level_from_name(file.level).reads_tables;
+    if (!wanted) return {};
+    switch (codegen::dialect_of(file.target)) {
+        case codegen::text::Dialect::hlsl:
+            return "float4 lq_table_texel(int index) { return float4(index, 0.0, 0.0, 0.0); }\n";
+        case codegen::text::Dialect::wgsl:
+            return "fn lq_table_texel(index: i32) -> vec4<f32> { return vec4<f32>(f32(index)); }\n";
+        case codegen::text::Dialect::msl:
+            return "#include <metal_stdlib>\nusing namespace metal;\n"
+                   "static inline float4 lq_table_texel(int index) { return float4(index); }\n";
+        default:
+            return "vec4 lq_table_texel(int index) { return vec4(float(index)); }\n";
+    }
+}
+
 std::string as_shader(const codegen::ShaderFile& file) {
     if (file.form == codegen::Form::kernel) return file.contents;
+    const std::string contents = table_access(file) + file.contents;
     constexpr std::string_view kPrecision = "precision highp float;\nprecision highp int;\n";
     const std::string main = "void main() {\n}\n";
     switch (file.target) {
         case codegen::Target::glsl450:
-            return fmt::format("#version 450\n{}{}", file.contents, main);
+            return fmt::format("#version 450\n{}{}", contents, main);
         case codegen::Target::essl310:
-            return fmt::format("#version 310 es\n{}{}{}", kPrecision, file.contents, main);
+            return fmt::format("#version 310 es\n{}{}{}", kPrecision, contents, main);
         case codegen::Target::essl300:
-            return fmt::format("#version 300 es\n{}{}{}", kPrecision, file.contents, main);
+            return fmt::format("#version 300 es\n{}{}{}", kPrecision, contents, main);
         case codegen::Target::wgsl:
-            return file.contents;
+            return contents;
         default:
-            return file.contents + main;
+            return contents + main;
     }
 }
 

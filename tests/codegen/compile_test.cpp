@@ -44,7 +44,7 @@ TEST(Compile, FrontEndsRefuseWhatIsNoShader) {
 TEST(Compile, EveryWgslFileIsValid) {
     const std::vector<ShaderFile> files = files_of(Target::wgsl);
     std::vector<std::string> texts;
-    for (const ShaderFile& file : files) texts.push_back(file.contents);
+    for (const ShaderFile& file : files) texts.push_back(as_shader(file));
     const std::vector<codegen::NagaAnswer> answers = codegen::translate_from_wgsl(texts);
     for (std::size_t i = 0; i < answers.size(); ++i)
         EXPECT_EQ(answers[i].complaint, "") << files[i].path;
@@ -60,7 +60,7 @@ TEST(Compile, NagaRefusesWhatIsNotWgsl) {
 std::string msl_complaint(const ShaderFile& file) {
     const TemporaryFolder folder;
     const std::filesystem::path source = folder / "shader.cpp";
-    write_file(source, file.contents);
+    write_file(source, table_access(file) + file.contents);
     const ProcessResult result = run_process(
         CXX_COMPILER, {"-std=c++20", "-fsyntax-only", "-D_MSC_EXTENSIONS", "-Wno-attributes",
                        "-fsingle-precision-constant", "-I", MSL_SHIM, source.string()});

@@ -61,7 +61,7 @@ class Bsdf {
     std::shared_ptr<const Shading> shading_;
 };
 
-// Gives the coated models the baked tables: LQ_TABLE_TEXELS texels in the order of
+// Gives the coated models the baked tables: the texels in the order of
 // shader_src/tables/texels.glsl, which must outlive every use. Call it before prepare(), once.
 void use_table_texels(const glm::vec4* texels);
 

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // Metal Shading Language 2.2, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 c89eba6dd86ec8c65e79d9f9432d3404c610085a1686410a8d0d20183824f88f.
+// Generated; source sha256 1bc1592aab1b581b5f5098da0dcdd007783455e7b6076ccf77cd7d38efa08b02.
 
 #include <metal_stdlib>
 
