@@ -27,6 +27,7 @@ layout(set = 0, binding = 3, std430) buffer LqResults {
     vec4 rows[];
 } results;
 
+#ifdef LQ_MODEL_COATED  // of all levels so far, this one reads tables
 // The baked tables (shader_src/tables/texels.glsl).
 layout(set = 0, binding = 4, std430) readonly buffer LqTables {
     vec4 texels[];
@@ -35,6 +36,7 @@ layout(set = 0, binding = 4, std430) readonly buffer LqTables {
 vec4 lq_table_texel(const int index) {
     return tables.texels[index];
 }
+#endif
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 

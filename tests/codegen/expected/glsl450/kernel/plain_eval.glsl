@@ -2,7 +2,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL 4.50, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 1bc1592aab1b581b5f5098da0dcdd007783455e7b6076ccf77cd7d38efa08b02.
+// Generated; source sha256 01ef3180bed02dc12037a338a7fd4245fb8e92b9e7bfbdf2b762c15ab9e6455d.
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
@@ -88,10 +88,6 @@ layout(binding = 1, std430) readonly buffer LqSurfaces {
 layout(binding = 3, std430) buffer LqResults {
     vec4 rows[];
 } results;
-
-layout(binding = 4, std430) readonly buffer LqTables {
-    vec4 texels[];
-} tables;
 
 vec3 lq_input_vector(uint row) {
     return inputs.rows[row].xyz;

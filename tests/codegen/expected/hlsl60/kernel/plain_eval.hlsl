@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 6.0, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 1bc1592aab1b581b5f5098da0dcdd007783455e7b6076ccf77cd7d38efa08b02.
+// Generated; source sha256 01ef3180bed02dc12037a338a7fd4245fb8e92b9e7bfbdf2b762c15ab9e6455d.
 
 static const float LQ_PI = 3.1415927f;
 static const float LQ_INVERSE_PI = 0.31830987f;
@@ -78,7 +78,6 @@ cbuffer LqKernelParameters : register(b0, space0) {
 
 ByteAddressBuffer surfaces : register(t1, space0);
 RWByteAddressBuffer results : register(u3, space0);
-ByteAddressBuffer tables : register(t4, space0);
 
 float3 lq_input_vector(uint row) {
     return float3(asfloat(inputs.Load(row * 16 + 0)), asfloat(inputs.Load(row * 16 + 4)),

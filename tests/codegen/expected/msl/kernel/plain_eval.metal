@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // Metal Shading Language 2.2, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 1bc1592aab1b581b5f5098da0dcdd007783455e7b6076ccf77cd7d38efa08b02.
+// Generated; source sha256 01ef3180bed02dc12037a338a7fd4245fb8e92b9e7bfbdf2b762c15ab9e6455d.
 
 #include <metal_stdlib>
 
@@ -88,10 +88,6 @@ struct LqSurfaces {
 
 struct LqResults {
     float4 rows[1];
-};
-
-struct LqTables {
-    float4 texels[1];
 };
 
 static inline float3 lq_input_vector(uint row, const device LqInputs& inputs) {

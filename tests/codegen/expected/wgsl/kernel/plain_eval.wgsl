@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // WGSL, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 1bc1592aab1b581b5f5098da0dcdd007783455e7b6076ccf77cd7d38efa08b02.
+// Generated; source sha256 01ef3180bed02dc12037a338a7fd4245fb8e92b9e7bfbdf2b762c15ab9e6455d.
 
 const LQ_PI: f32 = 3.1415927;
 const LQ_INVERSE_PI: f32 = 0.31830987;
@@ -86,15 +86,10 @@ struct LqResults {
     rows: array<vec4f>,
 }
 
-struct LqTables {
-    texels: array<vec4f>,
-}
-
 @group(0) @binding(2) var<storage> inputs: LqInputs;
 @group(0) @binding(0) var<uniform> parameters: LqKernelParameters;
 @group(0) @binding(1) var<storage> surfaces: LqSurfaces;
 @group(0) @binding(3) var<storage, read_write> results: LqResults;
-@group(0) @binding(4) var<storage> tables: LqTables;
 
 fn lq_input_vector(row: u32) -> vec3f {
     return inputs.rows[row].xyz;
