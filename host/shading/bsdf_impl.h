@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 #include "core/error.h"
@@ -79,11 +78,8 @@ std::shared_ptr<const Bsdf<Real>::Shading> level(const Surface& surface) {
 }
 
 shader::LqCoatedMaterial to_coated(const OneCoatParameters& parameters, int base_lobe) {
-    Rgb tau{};
-    for (std::size_t channel = 0; channel < 3; ++channel)
-        tau[channel] = std::exp(-parameters.optical_depth[channel]);
-    return {to_facets(parameters.coat), static_cast<Real>(parameters.coat_eta), to_vector(tau),
-            to_vector(parameters.albedo), base_lobe};
+    return {to_facets(parameters.coat), static_cast<Real>(parameters.coat_eta),
+            to_vector(transmittance(parameters)), to_vector(parameters.albedo), base_lobe};
 }
 
 // The tables' own, whatever the number of points.

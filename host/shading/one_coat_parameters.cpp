@@ -26,6 +26,12 @@ Rgb optical_depth_of(const Medium& medium) {
 
 }  // namespace
 
+Rgb transmittance(const OneCoatParameters& parameters) {
+    Rgb tau = parameters.optical_depth;
+    for (double& channel : tau) channel = std::exp(-channel);
+    return tau;
+}
+
 OneCoatParameters one_coat_parameters(const Material& material, Model model) {
     require_shadeable(material, model);
     OneCoatParameters parameters;

@@ -19,6 +19,9 @@ struct OneCoatParameters {
     Rgb eta{}, kappa{};  // relative to the exterior
 };
 
+// exp(-optical_depth): what the top layer transmits along the normal.
+Rgb transmittance(const OneCoatParameters& parameters);
+
 // Throws Error naming the material and the JSON pointer of a feature that `model`, one of those of
 // one coat, cannot shade. Diffuse facets are shaded as Lambertian.
 OneCoatParameters one_coat_parameters(const Material& material, Model model);

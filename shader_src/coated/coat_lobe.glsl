@@ -10,12 +10,10 @@
 #define LQ_COATED_COAT_LOBE_GLSL
 
 #include "../core/sampling.glsl"
+#include "../core/shading.glsl"
 #include "../fresnel/dielectric.glsl"
 #include "../microfacet/reflection.glsl"
 #include "surface.glsl"
-
-// A way of sampling is chosen at least this often, so that weights stay bounded.
-const float LQ_COATED_MIN_CHOICE = 0.1;
 
 float lq_coated_multiple(const LqCoatedSurface surface, const vec3 w) {
     return lq_interface_fgd_multiple(surface.energies, min(w.z, 1.0));
@@ -41,7 +39,7 @@ float lq_coated_once_choice(const LqCoatedSurface surface, const vec3 wo) {
     if (albedo <= 0.0) {
         return 1.0;
     }
-    return max(1.0 - lq_coated_multiple(surface, wo) / albedo, LQ_COATED_MIN_CHOICE);
+    return max(1.0 - lq_coated_multiple(surface, wo) / albedo, LQ_MIN_CHOICE);
 }
 
 float lq_coated_coat_pdf(const LqCoatedSurface surface, const vec3 wi, const vec3 wo) {

@@ -37,7 +37,7 @@ float lq_coated_coat_choice(const LqCoatedSurface surface, const vec3 wo) {
     if (base <= 0.0) {
         return 1.0;
     }
-    return clamp(coat / (coat + base), LQ_COATED_MIN_CHOICE, 1.0 - LQ_COATED_MIN_CHOICE);
+    return clamp(coat / (coat + base), LQ_MIN_CHOICE, 1.0 - LQ_MIN_CHOICE);
 }
 
 // Density per solid angle with which `lq_coated_sample` chooses wi; 0 unless both directions are

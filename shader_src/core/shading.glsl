@@ -1,4 +1,4 @@
-// What every model's `sample` and `albedo` return.
+// What every model's `sample` and `albedo` return, and the terms on which lobes are chosen.
 #ifndef LQ_CORE_SHADING_GLSL
 #define LQ_CORE_SHADING_GLSL
 
@@ -9,6 +9,9 @@ struct LqSample {
     vec3 weight;
     float pdf;
 };
+
+// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
+const float LQ_MIN_CHOICE = 0.1;
 
 // Directional albedo split by where the light turned back: at the coat or at the base.
 struct LqAlbedo {

@@ -12,9 +12,6 @@
 #include "../microfacet/reflection.glsl"
 #include "surface.glsl"
 
-// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-const float LQ_MIN_CHOICE = 0.1;
-
 // The coat's single reflections, part of f.
 float lq_coat_lobe(const LqOneCoat surface, const vec3 wi, const vec3 wo) {
     if (surface.coat_eta <= 0.0) {

@@ -11,7 +11,6 @@
 #include "simulator/goniophotometer.h"
 #include "simulator/interface.h"
 #include "simulator/microsurface.h"
-#include "tables/table_file.h"
 
 namespace lacquer {
 
@@ -100,13 +99,7 @@ TEST(Energies, ArgumentsOutsideTheRangesAreErrors) {
 }
 
 TEST(Energies, TablesOfOtherShapesAreRefused) {
-    const auto good = [] {
-        std::array<Table, kTableNames.size()> all;
-        for (std::size_t n = 0; n < all.size(); ++n)
-            all[n] = read_table(std::filesystem::path{BAKED_TABLES} /
-                                (std::string{kTableNames[n]} + ".bin"));
-        return all;
-    }();
+    const auto good = read_tables(BAKED_TABLES);
     EXPECT_NO_THROW(EnergyTables{good});
     for (std::size_t n = 0; n < good.size(); ++n) {
         auto damaged = good;

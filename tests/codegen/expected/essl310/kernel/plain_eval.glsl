@@ -2,7 +2,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL ES 3.10, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 01ef3180bed02dc12037a338a7fd4245fb8e92b9e7bfbdf2b762c15ab9e6455d.
+// Generated; source sha256 ad3b7478966c71e4e131e444166f05fd40620a80b3e9505da891486bcc761a26.
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
@@ -25,6 +25,9 @@ const float LQ_MIN_COSINE_PRODUCT = 1.0e-30;
 // A vector whose squared length lies outside these is no direction; formulas are bounded within.
 const float LQ_MIN_SQUARED_LENGTH = 0.5;
 const float LQ_MAX_SQUARED_LENGTH = 2.0;
+
+// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
+const float LQ_MIN_CHOICE = 0.1;
 
 // exp of anything below this is 0 beside the smallest value that matters (1e-35 of the peak).
 const float LQ_MIN_EXPONENT = -80.0;
@@ -64,9 +67,6 @@ struct LqOneCoat {
     vec3 eta;
     vec3 kappa;
 };
-
-// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-const float LQ_MIN_CHOICE = 0.1;
 
 layout(binding = 2, std430) readonly buffer LqInputs {
     vec4 rows[];

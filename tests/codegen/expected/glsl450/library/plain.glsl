@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL 4.50, functions only, nothing bound.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 8d48c85b16559f190ecd382ad99e2ccec8d5e3990c24318d43f7b3a327ff274f.
+// Generated; source sha256 fef43e343458d8f3d3eb5800f169cf449be0c4d35ac4c708a8672b26ff08e14a.
 //
 // Directions are unit vectors in a local frame whose z is the normal: wi towards the light, wo
 // towards the viewer, wm a facet normal. f is the BSDF per steradian without the cosine; a name
@@ -192,7 +192,7 @@ vec2 lq_low_discrepancy_point(uint index) {
     return vec2(float(x >> 8u), float(y >> 8u)) * 5.9604645e-8;
 }
 
-// What every model's `sample` and `albedo` return.
+// What every model's `sample` and `albedo` return, and the terms on which lobes are chosen.
 
 // `wi` unit, `weight` = f cos_theta_i / pdf, `pdf` per solid angle. A sample that reflects nothing
 // has weight 0; its pdf is 0 where wi points below the surface.
@@ -201,6 +201,9 @@ struct LqSample {
     vec3 weight;
     float pdf;
 };
+
+// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
+const float LQ_MIN_CHOICE = 0.1;
 
 // Directional albedo split by where the light turned back: at the coat or at the base.
 struct LqAlbedo {
@@ -618,9 +621,6 @@ LqOneCoat lq_one_coat_prepare(LqOneCoat surface) {
 // What the models of one coat share: the coat's single reflections, the base's lobe, and choosing a
 // direction from either. Surfaces are prepared; wi and wo are above the surface.
 // Based on: Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces
-
-// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-const float LQ_MIN_CHOICE = 0.1;
 
 // The coat's single reflections, part of f.
 float lq_coat_lobe(LqOneCoat surface, vec3 wi, vec3 wo) {

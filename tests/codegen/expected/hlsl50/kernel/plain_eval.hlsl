@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 5.0, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 01ef3180bed02dc12037a338a7fd4245fb8e92b9e7bfbdf2b762c15ab9e6455d.
+// Generated; source sha256 ad3b7478966c71e4e131e444166f05fd40620a80b3e9505da891486bcc761a26.
 
 static const float LQ_PI = 3.1415927f;
 static const float LQ_INVERSE_PI = 0.31830987f;
@@ -22,6 +22,9 @@ static const float LQ_MIN_COSINE_PRODUCT = 1.0e-30f;
 // A vector whose squared length lies outside these is no direction; formulas are bounded within.
 static const float LQ_MIN_SQUARED_LENGTH = 0.5f;
 static const float LQ_MAX_SQUARED_LENGTH = 2.0f;
+
+// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
+static const float LQ_MIN_CHOICE = 0.1f;
 
 // exp of anything below this is 0 beside the smallest value that matters (1e-35 of the peak).
 static const float LQ_MIN_EXPONENT = -80.0f;
@@ -61,9 +64,6 @@ struct LqOneCoat {
     float3 eta;
     float3 kappa;
 };
-
-// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-static const float LQ_MIN_CHOICE = 0.1f;
 
 ByteAddressBuffer inputs : register(t2);
 

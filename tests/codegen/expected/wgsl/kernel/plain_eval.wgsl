@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // WGSL, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 01ef3180bed02dc12037a338a7fd4245fb8e92b9e7bfbdf2b762c15ab9e6455d.
+// Generated; source sha256 ad3b7478966c71e4e131e444166f05fd40620a80b3e9505da891486bcc761a26.
 
 const LQ_PI: f32 = 3.1415927;
 const LQ_INVERSE_PI: f32 = 0.31830987;
@@ -22,6 +22,9 @@ const LQ_MIN_COSINE_PRODUCT: f32 = 1.0e-30;
 // A vector whose squared length lies outside these is no direction; formulas are bounded within.
 const LQ_MIN_SQUARED_LENGTH: f32 = 0.5;
 const LQ_MAX_SQUARED_LENGTH: f32 = 2.0;
+
+// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
+const LQ_MIN_CHOICE: f32 = 0.1;
 
 // exp of anything below this is 0 beside the smallest value that matters (1e-35 of the peak).
 const LQ_MIN_EXPONENT: f32 = -80.0;
@@ -61,9 +64,6 @@ struct LqOneCoat {
     eta: vec3f,
     kappa: vec3f,
 }
-
-// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-const LQ_MIN_CHOICE: f32 = 0.1;
 
 struct LqInputs {
     rows: array<vec4f>,

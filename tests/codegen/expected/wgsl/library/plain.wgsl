@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // WGSL, functions only, nothing bound.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 8d48c85b16559f190ecd382ad99e2ccec8d5e3990c24318d43f7b3a327ff274f.
+// Generated; source sha256 fef43e343458d8f3d3eb5800f169cf449be0c4d35ac4c708a8672b26ff08e14a.
 //
 // Directions are unit vectors in a local frame whose z is the normal: wi towards the light, wo
 // towards the viewer, wm a facet normal. f is the BSDF per steradian without the cosine; a name
@@ -198,7 +198,7 @@ fn lq_low_discrepancy_point(index: u32) -> vec2f {
     return vec2f(f32(x >> 8u), f32(y >> 8u)) * 5.9604645e-8;
 }
 
-// What every model's `sample` and `albedo` return.
+// What every model's `sample` and `albedo` return, and the terms on which lobes are chosen.
 
 // `wi` unit, `weight` = f cos_theta_i / pdf, `pdf` per solid angle. A sample that reflects nothing
 // has weight 0; its pdf is 0 where wi points below the surface.
@@ -207,6 +207,9 @@ struct LqSample {
     weight: vec3f,
     pdf: f32,
 }
+
+// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
+const LQ_MIN_CHOICE: f32 = 0.1;
 
 // Directional albedo split by where the light turned back: at the coat or at the base.
 struct LqAlbedo {
@@ -662,9 +665,6 @@ fn lq_one_coat_prepare(surface: LqOneCoat) -> LqOneCoat {
 // What the models of one coat share: the coat's single reflections, the base's lobe, and choosing a
 // direction from either. Surfaces are prepared; wi and wo are above the surface.
 // Based on: Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces
-
-// A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
-const LQ_MIN_CHOICE: f32 = 0.1;
 
 // The coat's single reflections, part of f.
 fn lq_coat_lobe(surface: LqOneCoat, wi: vec3f, wo: vec3f) -> f32 {
