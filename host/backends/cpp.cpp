@@ -4,7 +4,6 @@
 #include "lacquer/bsdf.h"
 #include "material/numbers.h"
 #include "shading/walks.h"
-#include "tables/texels.h"
 
 namespace lacquer {
 
@@ -47,7 +46,6 @@ class CppBackend final : public Backend {
 
     JobResult run(const Job& job) override {
         if (const Walk walk = walk_of(job.kernel)) return run_walks(job, walk);
-        if (reads_tables(job.model)) use_table_texels(shipped_texels().data());
         return run_on_cpu<float>(job, [&](const Material& material) {
             return lacquer::prepare<float>(as_shaders_read(material), job.model);
         });

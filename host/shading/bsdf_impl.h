@@ -2,11 +2,8 @@
 // shader_double.h.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <utility>
 
-#include "core/error.h"
 #include "lacquer/bsdf.h"
 #include "shading/one_coat_parameters.h"
 
@@ -88,12 +85,6 @@ shader::LqAlbedo coated_albedo(const shader::LqCoatedSurface& surface, const sha
     return shader::lq_coated_albedo(surface, wo);
 }
 
-void require_tables(Model model) {
-    if (glsl::table_texels == nullptr)
-        throw Error{fmt::format("the model '{}' reads tables: call use_table_texels() first",
-                                model_name(model))};
-}
-
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {
     using namespace shader;
     const LqOneCoat surface = to_one_coat(one_coat_parameters(material, model));
@@ -114,7 +105,6 @@ std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, 
                 lq_openpbr_coat_prepare(surface));
         case Model::coated_ggx:
         case Model::coated_exact:
-            require_tables(model);
             return level<lq_coated_eval, lq_coated_eval_cos, lq_coated_pdf, lq_coated_sample,
                          coated_albedo>(lq_coated_prepare(
                 to_coated(one_coat_parameters(material, model),

@@ -15,9 +15,6 @@ using uint = unsigned int;
 using uvec4 = glm::uvec4;
 using ivec4 = glm::ivec4;
 
-// What lq_table_texel reads: set it before calling shader functions that read tables.
-inline const glm::vec4* table_texels = nullptr;
-
 using glm::abs;
 using glm::clamp;
 using glm::cross;
@@ -42,10 +39,6 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
-inline vec4 lq_table_texel(const int index) {
-    return table_texels[index];
-}
-
 }  // namespace lacquer::glsl_float
 
 namespace lacquer::glsl_double {
@@ -54,9 +47,5 @@ using namespace glsl;
 using vec2 = glm::dvec2;
 using vec3 = glm::dvec3;
 using vec4 = glm::dvec4;
-
-inline vec4 lq_table_texel(const int index) {
-    return vec4{table_texels[index]};
-}
 
 }  // namespace lacquer::glsl_double

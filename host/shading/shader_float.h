@@ -4,6 +4,7 @@
 #pragma once
 
 #include "shading/glsl.h"
+#include "shading/table_texels.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"

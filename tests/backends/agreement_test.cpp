@@ -9,7 +9,6 @@
 #include "compare/tolerances.h"
 #include "lacquer/bsdf.h"
 #include "material/numbers.h"
-#include "tables/texels.h"
 
 namespace lacquer::test {
 namespace {
@@ -96,7 +95,6 @@ TEST_P(Formula, OfTheShaderSourceIsThatOfTheReference) {
     constexpr double kPolynomials = 1e-6;  // twice what they are worth: core/math.glsl
     OwnedJob owned = make_job(Kernel::eval, shadeable(test_materials(), GetParam()), 512);
     owned.model = GetParam();
-    use_table_texels(shipped_texels().data());
     const Rows reference = backend_from_name("reference").create({})->run(owned.job()).rows;
     for (std::size_t query = 0; query < reference.size(); ++query) {
         const Material& material = owned.materials[query / owned.queries_per_material];

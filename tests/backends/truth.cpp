@@ -5,7 +5,6 @@
 #include "backends/jobs.h"
 #include "lacquer/bsdf.h"
 #include "material/numbers.h"
-#include "tables/texels.h"
 
 namespace lacquer::test {
 
@@ -41,7 +40,6 @@ Rows expected_samples(const Job& job, const Rows& rows) {
 
 Rows expected_albedos(const Job& job) {
     Rows expected;
-    use_table_texels(shipped_texels().data());
     const int point_count = static_cast<int>(job.parameters.point_count);
     for (std::size_t query = 0; query < job.query_count(); ++query) {
         const Material& material = job.materials[query / job.queries_per_material];

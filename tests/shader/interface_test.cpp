@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <span>
 
 #include "shader/shader.h"
 #include "tables/texels.h"
@@ -19,11 +21,6 @@ const std::array<Table, kTableNames.size()>& tables() {
 const EnergyTables& reference() {
     static const EnergyTables all{tables()};
     return all;
-}
-
-void use_tables() {
-    static const std::vector<glm::vec4> texels = pack_texels(tables());
-    glsl::table_texels = texels.data();
 }
 
 // A sum of some 40 products of coefficients up to 4 whose interpolation took some 20 roundings.
@@ -62,8 +59,12 @@ TEST(Interface, TexelsLieWhereTheShaderSourceReadsThem) {
               static_cast<std::size_t>(shader::LQ_LOBE_ALPHA + shader::LQ_LOBE_VARIANCES));
 }
 
+TEST(Interface, TexelsInTheLibraryAreTheTables) {
+    const std::vector<glm::vec4> texels = pack_texels(tables());
+    EXPECT_TRUE(std::ranges::equal(texels, std::span{kTableTexels, kTableTexelCount}));
+}
+
 TEST(Interface, EnergiesAreTheReferencesOfTheSameTables) {
-    use_tables();
     const double limit = roundings(kSum) + kPosition;
     for (const auto& [alpha, eta, tau, cosine] : points()) {
         const auto energies =
@@ -86,7 +87,6 @@ TEST(Interface, EnergiesAreTheReferencesOfTheSameTables) {
 }
 
 TEST(Interface, VarianceIsTheReferencesWhereLightGetsThrough) {
-    use_tables();
     for (const auto& [alpha, eta, tau, cosine] : points()) {
         const double energy = reference().t_down_profile(alpha, eta, tau).average();
         if (energy < 1e-3) continue;  // a quotient of two roundings
@@ -98,7 +98,6 @@ TEST(Interface, VarianceIsTheReferencesWhereLightGetsThrough) {
 }
 
 TEST(Interface, LobesOfLightAlongTheNormal) {
-    use_tables();
     for (int n = 0; n <= 100; ++n) {
         const double x = n / 100.0;
         EXPECT_NEAR(shader::lq_equivalent_alpha(real(0.3 * x)),

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <memory>
 
 #include "core/model.h"
@@ -61,12 +60,8 @@ class Bsdf {
     std::shared_ptr<const Shading> shading_;
 };
 
-// Gives the coated models the baked tables: the texels in the order of
-// shader_src/tables/texels.glsl, which must outlive every use. Call it before prepare(), once.
-void use_table_texels(const glm::vec4* texels);
-
-// Makes `material` ready for `model`. Throws Error naming the material and the JSON pointer of a
-// feature that the model cannot shade.
+// Makes `material` ready for `model`; the tables that the coated models read are in the library.
+// Throws Error naming the material and the JSON pointer of a feature that the model cannot shade.
 template <typename Real>
 Bsdf<Real> prepare(const Material& material, Model model = Model::plain);
 

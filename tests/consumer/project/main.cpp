@@ -1,5 +1,5 @@
-// Shades bundled gold in float and double, and checks both against the closed form at normal
-// incidence: D = 1 / (pi alpha_x alpha_y), G2 = 1, so that f = F / (4 pi alpha_x alpha_y).
+// Uses the installed library in float and double: bundled gold against a closed form, and a white
+// base under a clear coat, which the coated models must give all light back from.
 #include <lacquer/lacquer.h>
 
 #include <cmath>
@@ -19,8 +19,9 @@ double reflectance(double eta, double kappa) {
 template <typename Real>
 constexpr double kTolerance = 32 * std::numeric_limits<Real>::epsilon();
 
+// At normal incidence D = 1 / (pi alpha_x alpha_y) and G2 = 1: f = F / (4 pi alpha_x alpha_y).
 template <typename Real>
-bool is_right(const char* name, const lacquer::Material& material) {
+bool is_gold_right(const char* name, const lacquer::Material& material) {
     const auto& gold = std::get<lacquer::ConductorBase>(material.base);
     const auto& alpha = std::get<lacquer::Microsurface>(gold.roughness).alpha;
     const lacquer::Bsdf<Real> bsdf = lacquer::prepare<Real>(material);
@@ -36,17 +37,44 @@ bool is_right(const char* name, const lacquer::Material& material) {
     return right;
 }
 
+// What the tables are worth: see the README.
+constexpr double kFurnace = 0.003;
+
+template <typename Real>
+bool is_white(const char* name, const lacquer::Material& material, lacquer::Model model) {
+    const auto bsdf = lacquer::prepare<Real>(material, model);
+    bool white = true;
+    for (const Real cosine : {Real(0.05), Real(0.5), Real(1)}) {
+        const lacquer::Vec3<Real> wo{std::sqrt((1 - cosine) * (1 + cosine)), 0, cosine};
+        const auto albedo = bsdf.albedo(wo);
+        const double sum = double(albedo.direct.x + albedo.base.x);
+        std::printf("%-6s model %d, cosine %g: returns %.6f of light\n", name, int(model),
+                    double(cosine), sum);
+        white = white && std::abs(sum - 1) <= kFurnace;
+    }
+    return white;
+}
+
+constexpr const char* kWhite = R"({
+    "layers": [{ "interface": { "ior": 1.5, "alpha": 0.3 } }],
+    "base": { "lambertian": { "albedo": [1, 1, 1] } } })";
+
 }  // namespace
 
 int main() {
-    const auto material = lacquer::load_material(std::filesystem::path{MATERIALS} / "gold.json");
-    const bool float_right = is_right<float>("float", material);
-    const bool double_right = is_right<double>("double", material);
+    const auto gold = lacquer::load_material(std::filesystem::path{MATERIALS} / "gold.json");
+    bool right = is_gold_right<float>("float", gold);
+    right = is_gold_right<double>("double", gold) && right;
+    const auto white = lacquer::parse_material(kWhite, "white");
+    for (const auto model : {lacquer::Model::coated_ggx, lacquer::Model::coated_exact}) {
+        right = is_white<float>("float", white, model) && right;
+        right = is_white<double>("double", white, model) && right;
+    }
     try {
         lacquer::load_material("absent.json");
         return 1;
     } catch (const lacquer::Error& error) {
         std::printf("%s\n", error.what());
     }
-    return float_right && double_right ? 0 : 1;
+    return right ? 0 : 1;
 }
