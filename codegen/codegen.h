@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,16 +34,20 @@ struct Binding {
     std::string kind;  // "uniform", "storage_read", "storage_read_write", "texture", "sampler"
 };
 
+// Instruction counts of entry points and functions are those of SPIR-V after `spirv-opt -O`, with
+// all calls inlined.
 struct EntryPoint {
     std::string name;   // as it stands in the file
     std::string stage;  // "compute", "vertex", "fragment"
     unsigned workgroup_size[3] = {0, 0, 0};
+    std::size_t instruction_count = 0;
 };
 
 struct Function {
     std::string name;
-    std::string signature;  // in the file's own language, one line
-    std::string summary;    // first sentence of its documentation
+    std::string signature;                         // in the file's own language, one line
+    std::string summary;                           // first sentence of its documentation
+    std::optional<std::size_t> instruction_count;  // of what users of the level call
 };
 
 // One generated file.
@@ -57,14 +62,28 @@ struct ShaderFile {
     std::vector<Function> functions;
     std::vector<Binding> bindings;
     std::size_t instruction_count = 0;  // in functions of the SPIR-V it was translated from
+    std::size_t table_reads = 0;        // texels that preparing one surface reads at most
+    std::string sha256;
+};
+
+// The packed tables (shader_src/tables/texels.glsl) as a texture, row after row; the texels behind
+// the last are 0. Numbers are little-endian.
+struct TableFile {
+    std::filesystem::path path;  // relative: tables/lacquer_tables.FORMAT
+    std::string format;          // "rgba16f", "rgba32f"
+    std::size_t texel_count = 0;
+    std::size_t width = 0, height = 0;
+    std::string contents;
     std::string sha256;
 };
 
 struct Request {
     std::filesystem::path source_root;  // shader_src
-    std::vector<Target> targets;        // empty: all
-    std::vector<Form> forms;            // empty: both
-    std::vector<std::string> levels;    // empty: all
+    // Where the baked tables are, for levels that read them; empty: no table files.
+    std::filesystem::path tables_folder;
+    std::vector<Target> targets;      // empty: all
+    std::vector<Form> forms;          // empty: both
+    std::vector<std::string> levels;  // empty: all
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
@@ -72,6 +91,7 @@ struct Request {
 struct Package {
     std::string source_sha256;  // of everything below shader_src
     std::vector<ShaderFile> files;
+    std::vector<TableFile> tables;
 };
 
 // Whether WGSL can be written here; otherwise the reason and what to do about it.

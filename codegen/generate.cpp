@@ -1,10 +1,15 @@
 // From a request to every file it asks for.
 #include <fmt/format.h>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <map>
+#include <mutex>
 
 #include "codegen/arrange.h"
 #include "codegen/codegen.h"
+#include "codegen/cost.h"
 #include "codegen/emit.h"
 #include "codegen/head.h"
 #include "codegen/library.h"
@@ -12,6 +17,7 @@
 #include "codegen/names.h"
 #include "codegen/reflect.h"
 #include "codegen/sha256.h"
+#include "codegen/table_files.h"
 #include "codegen/targets.h"
 #include "codegen/text/print.h"
 #include "codegen/variants.h"
@@ -35,7 +41,12 @@ struct Variant {
 struct CompiledVariant {
     Words words;
     Words readable_words;
+    std::size_t table_reads = 0;
+    std::map<std::string, std::size_t> instruction_counts;  // of functions that cost something
 };
+
+// What users of a level call: lq_LEVEL_*.
+constexpr std::string_view kVerbs[] = {"prepare", "eval", "eval_cos", "sample", "pdf", "albedo"};
 
 std::string hash_of(const SourceTree& tree, const std::vector<SourceModule>& modules) {
     std::string all;
@@ -59,6 +70,24 @@ Variant library_variant(const SourceTree& tree, const Level& level) {
     return variant;
 }
 
+// Of the entry point of a kernel; of the functions that users of a level call.
+std::map<std::string, std::size_t> instruction_counts(const SourceTree& tree,
+                                                      const Variant& variant, const Words& words) {
+    if (variant.form == Form::kernel) return {{"main", optimised_instruction_count(words, "main")}};
+    std::map<std::string, std::size_t> counts;
+    for (const std::string_view verb : kVerbs) {
+        const std::string name = fmt::format("lq_{}_{}", variant.level->name, verb);
+        const std::string text =
+            function_entry(std::string{variant.level->source}, variant.modules, name);
+        if (text.empty()) continue;
+        SpirvModule module{compile(tree, variant.source.file, text,
+                                   {variant.source.stage, variant.level->define})};
+        cut_signatures(module);
+        counts[name] = optimised_instruction_count(module.words(), name);
+    }
+    return counts;
+}
+
 CompiledVariant compile_variant(const SourceTree& tree, const Variant& variant) {
     CompileOptions options{variant.source.stage, variant.level->define};
     SpirvModule executed{compile(tree, variant.source.file, variant.text, options)};
@@ -71,7 +100,11 @@ CompiledVariant compile_variant(const SourceTree& tree, const Variant& variant) 
     release_constants(readable);
     inline_struct_constants(readable);
     name_temporaries(readable);
-    return {executed.words(), readable.words()};
+    const bool reads_tables = defines_function(executed, kTableAccess);
+    CompiledVariant compiled{
+        executed.words(), readable.words(), reads_tables ? table_reads(*variant.level) : 0, {}};
+    compiled.instruction_counts = instruction_counts(tree, variant, compiled.words);
+    return compiled;
 }
 
 // Translated and tidied; of WGSL, naga's text is given.
@@ -107,6 +140,10 @@ void fill_text(ShaderFile& file, const Variant& variant, const CompiledVariant& 
     if (file.form == Form::library) {
         statements = arrange_library(std::move(statements), variant.modules, dialect);
         file.functions = public_functions(statements, variant.modules, dialect);
+        for (Function& function : file.functions)
+            if (const auto count = compiled.instruction_counts.find(function.name);
+                count != compiled.instruction_counts.end())
+                function.instruction_count = count->second;
     } else {
         statements = arrange_kernel(std::move(statements), variant.modules, dialect);
     }
@@ -128,10 +165,13 @@ ShaderFile make_file(const Variant& variant, const CompiledVariant& compiled, Ta
     file.kernel = variant.source.kernel;
     file.instruction_count =
         instruction_count(SpirvModule{compiled.words}, variant.form == Form::kernel);
+    file.table_reads = compiled.table_reads;
     if (file.form == Form::kernel) {
         const Reflection reflection = reflect(compiled.words);
         file.entry_points = reflection.entry_points;
         file.bindings = reflection.bindings;
+        for (EntryPoint& point : file.entry_points)
+            point.instruction_count = compiled.instruction_counts.at(point.name);
         if (target == Target::msl)
             for (EntryPoint& point : file.entry_points) point.name = kMslEntryPoint;
     }
@@ -149,10 +189,10 @@ bool chosen(const std::vector<T>& choice, const T& value) {
     return choice.empty() || std::ranges::find(choice, value) != choice.end();
 }
 
-// The viewer's shaders have no tables bound.
+// A vertex shader goes with the fragment shader of its name.
 bool has_kernel(const SourceTree& tree, const Level& level, const KernelSource& source) {
-    if (level.reads_tables && source.stage != Stage::compute) return false;
-    return shades_surfaces(tree, source) || level.name == all_levels().front().name;
+    return shades_surfaces(tree, source) || source.stage == Stage::vertex ||
+           level.name == all_levels().front().name;
 }
 
 std::vector<Variant> chosen_variants(const SourceTree& tree, const Request& request) {
@@ -217,15 +257,21 @@ Package generate(const Request& request) {
     const auto report = [&] {
         if (request.progress) request.progress(done, total);
     };
-    std::vector<CompiledVariant> compiled;
-    for (const Variant& variant : variants) {
-        report();
-        compiled.push_back(compile_variant(tree, variant));
+    std::vector<CompiledVariant> compiled(variants.size());
+    std::mutex reporting;
+    tbb::parallel_for(std::size_t{0}, variants.size(), [&](std::size_t i) {
+        compiled[i] = compile_variant(tree, variants[i]);
+        const std::lock_guard lock{reporting};
         ++done;
-    }
+        report();
+    });
     std::vector<std::string> naga(variants.size());
     if (chosen(request.targets, Target::wgsl)) naga = naga_texts(variants, compiled);
-    Package package{tree.hash(), {}};
+    Package package{tree.hash(), {}, {}};
+    const bool tables = std::ranges::any_of(
+        compiled, [](const CompiledVariant& variant) { return variant.table_reads > 0; });
+    if (tables && !request.tables_folder.empty())
+        package.tables = table_files(request.tables_folder);
     for (std::size_t i = 0; i < variants.size(); ++i) {
         for (const Target target : chosen_targets(request, variants[i])) {
             report();

@@ -13,8 +13,9 @@ unsigned glsl_version(Target target) {
 }
 
 // GLSL has no separate textures and samplers: pairs become one, named after the texture, at its
-// binding.
+// binding. Textures that are read without a sampler are paired with none.
 void combine_samplers(spirv_cross::CompilerGLSL& compiler) {
+    compiler.build_dummy_sampler_for_combined_images();
     compiler.build_combined_image_samplers();
     for (const auto& pair : compiler.get_combined_image_samplers()) {
         compiler.set_name(pair.combined_id, compiler.get_name(pair.image_id));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "codegen/emit.h"
 #include "codegen/targets.h"
 #include "core/version.h"
 
@@ -28,11 +29,38 @@ constexpr std::string_view kConventions =
     "conductor's\n"
     "// index is eta + i kappa, alpha is the slope roughness of the papers.\n";
 
+// How to supply the packed tables. In Metal nothing that is bound can be seen by all functions.
+std::string_view table_access(text::Dialect dialect) {
+    switch (dialect) {
+        case text::Dialect::hlsl:
+            return "float4 lq_table_texel(int index) { return TABLES.Load(int3(index % 128, index "
+                   "/ "
+                   "128, 0)); }";
+        case text::Dialect::wgsl:
+            return "fn lq_table_texel(index: i32) -> vec4f { return textureLoad(TABLES, "
+                   "vec2i(index "
+                   "% 128, index / 128), 0); }";
+        case text::Dialect::msl:
+            return "static inline float4 lq_table_texel(int index) { return TABLES[index]; }  // "
+                   "constant float4 TABLES[]";
+        case text::Dialect::glsl:
+            break;
+    }
+    return "vec4 lq_table_texel(int index) { return texelFetch(TABLES, ivec2(index % 128, index / "
+           "128), 0); }";
+}
+
 // What a level that reads tables asks for.
-constexpr std::string_view kTables =
-    "//\n"
-    "// Define lq_table_texel(index), of four floats, above: it returns a texel of the packed tables,\n"
-    "// unfiltered.\n";
+std::string tables_wanted(Target target) {
+    return fmt::format(
+        "//\n"
+        "// Define lq_table_texel above: a texel, unfiltered, of the packed tables that "
+        "manifest.json "
+        "lists.\n"
+        "// From a texture of them, or likewise from a buffer:\n"
+        "//     {}\n",
+        table_access(dialect_of(target)));
+}
 
 }  // namespace
 
@@ -46,7 +74,7 @@ std::string file_head(const ShaderFile& file, const Level& level,
         kVersion, level.name, level.description, target_entry(file.target).description,
         form_description(file), source_sha256);
     if (file.form == Form::library) head += kConventions;
-    if (file.form == Form::library && level.reads_tables) head += kTables;
+    if (file.form == Form::library && level.reads_tables) head += tables_wanted(file.target);
     return head + "\n";
 }
 

@@ -12,10 +12,8 @@ bool is_public(const Declaration& declaration) {
     return declaration.kind == Declaration::Kind::function && declaration.name.starts_with("lq_");
 }
 
-// What whoever uses the functions supplies: it stands here for the compiler, and no module declares
-// it, so that it is not in the library.
-constexpr std::string_view kTableAccess =
-    "vec4 lq_table_texel(const int index) { return vec4(float(index)); }\n";
+// Table access for the compiler: no module declares it, so that it is not in the library.
+constexpr std::string_view kStandIn = "vec4 {}(const int index) {{ return vec4(float(index)); }}\n";
 
 // A call with arguments that were never set, in a scope of its own.
 std::string call(const Declaration& function) {
@@ -29,6 +27,17 @@ std::string call(const Declaration& function) {
     return fmt::format("    {{ {}{}({}); }}\n", locals, function.name, arguments);
 }
 
+// A shader that includes `source` and makes `calls`.
+std::string entry(const std::string& source, const std::string& calls) {
+    return fmt::format(
+        "#version 450\n"
+        "#extension GL_GOOGLE_include_directive : require\n"
+        "{}"
+        "#include \"{}\"\n"
+        "void main() {{\n{}}}\n",
+        fmt::format(kStandIn, kTableAccess), source, calls);
+}
+
 }  // namespace
 
 std::string library_entry(const std::string& source, const std::vector<SourceModule>& modules) {
@@ -36,13 +45,16 @@ std::string library_entry(const std::string& source, const std::vector<SourceMod
     for (const SourceModule& module : modules)
         for (const Declaration& declaration : module.declarations)
             if (is_public(declaration)) calls += call(declaration);
-    return fmt::format(
-        "#version 450\n"
-        "#extension GL_GOOGLE_include_directive : require\n"
-        "{}"
-        "#include \"{}\"\n"
-        "void main() {{\n{}}}\n",
-        kTableAccess, source, calls);
+    return entry(source, calls);
+}
+
+std::string function_entry(const std::string& source, const std::vector<SourceModule>& modules,
+                           const std::string& name) {
+    for (const SourceModule& module : modules)
+        for (const Declaration& declaration : module.declarations)
+            if (is_public(declaration) && declaration.name == name)
+                return entry(source, call(declaration));
+    return {};
 }
 
 std::vector<Function> public_functions(const text::Statements& statements,
@@ -58,8 +70,10 @@ std::vector<Function> public_functions(const text::Statements& statements,
     for (const SourceModule& module : modules)
         for (const Declaration& declaration : module.declarations)
             if (is_public(declaration) && signatures.contains(declaration.name))
-                functions.push_back({declaration.name, signatures[declaration.name],
-                                     first_sentence(declaration.comment)});
+                functions.push_back({declaration.name,
+                                     signatures[declaration.name],
+                                     first_sentence(declaration.comment),
+                                     {}});
     return functions;
 }
 

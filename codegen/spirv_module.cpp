@@ -1,5 +1,6 @@
 #include "codegen/spirv_module.h"
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 #include <spirv-tools/libspirv.hpp>
@@ -60,6 +61,12 @@ Words string_literal(const std::string& text) {
     Words words(text.size() / sizeof(std::uint32_t) + 1, 0u);
     std::memcpy(words.data(), text.data(), text.size());
     return words;
+}
+
+bool defines_function(const SpirvModule& module, std::string_view name) {
+    return std::ranges::any_of(module.instructions, [&](const Instruction& instruction) {
+        return instruction.op == spv::OpName && literal_string(instruction, 1) == name;
+    });
 }
 
 std::size_t instruction_count(const SpirvModule& module, bool entry_points) {

@@ -35,6 +35,9 @@ std::string literal_string(const Instruction& instruction, std::size_t first);
 // `text` as operands.
 Words string_literal(const std::string& text);
 
+// Whether the module has a function of that name.
+bool defines_function(const SpirvModule& module, std::string_view name);
+
 // Instructions within functions, counted once however often they run; those of entry points only
 // where they are part of what is counted.
 std::size_t instruction_count(const SpirvModule& module, bool entry_points);

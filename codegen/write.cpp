@@ -41,12 +41,19 @@ class StagingFolder {
 
 void write_files(const Package& package, const fs::path& folder) {
     const StagingFolder staging{folder};
-    for (const ShaderFile& file : package.files) staging.add(file.path, file.contents);
+    std::vector<fs::path> paths;
+    const auto add = [&](const auto& files) {
+        for (const auto& file : files) {
+            staging.add(file.path, file.contents);
+            paths.push_back(file.path);
+        }
+    };
+    add(package.files);
+    add(package.tables);
     staging.add("manifest.json", manifest(package));
     // What can fail comes before the first file is replaced.
-    for (const ShaderFile& file : package.files)
-        fs::create_directories((folder / file.path).parent_path());
-    for (const ShaderFile& file : package.files) staging.move_out(file.path, folder);
+    for (const fs::path& path : paths) fs::create_directories((folder / path).parent_path());
+    for (const fs::path& path : paths) staging.move_out(path, folder);
     staging.move_out("manifest.json", folder);
 }
 

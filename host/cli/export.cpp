@@ -23,6 +23,12 @@ constexpr const char* kHelp =
 functions and structs only, to be pasted into a shader of your own; `kernel` has entry points
 over the bindings that the manifest lists. WGSL needs Node.js.
 
+Levels that read tables come with tables/lacquer_tables.FORMAT: bind `rgba32f` as the storage
+buffer `tables` of compute kernels, or upload `rgba16f`, the same numbers, as a texture of the
+manifest's width and height, no filter, as `tables` of sphere_view. In the form `library` define
+lq_table_texel(index) yourself; the head of the file says how. In Metal it can only read an array
+of constants: nothing bound is global there.
+
 Targets: {}.
 Forms: kernel, library.
 Levels: {}.
@@ -49,6 +55,7 @@ struct Arguments {
 codegen::Request request_of(const Arguments& arguments) {
     codegen::Request request;
     request.source_root = share_file("shader_src");
+    request.tables_folder = share_file("tables");
     for (const std::string& name : arguments.targets)
         request.targets.push_back(codegen::target_from_name(name));
     for (const std::string& name : arguments.forms)
@@ -99,8 +106,8 @@ void run(const Arguments& arguments) {
     if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
         throw Error{"writing to the standard output failed"};
     if (!arguments.json)
-        fmt::print(stderr, "{} files and manifest.json in '{}'\n", package.files.size(),
-                   arguments.folder.string());
+        fmt::print(stderr, "{} files and manifest.json in '{}'\n",
+                   package.files.size() + package.tables.size(), arguments.folder.string());
 }
 
 }  // namespace

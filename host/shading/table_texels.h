@@ -1,5 +1,4 @@
-// The baked tables that the library carries, and the access to them that the shader source asks
-// whoever includes it for: shader_src/tables/interpolate.glsl.
+// The baked tables that the library carries.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +10,10 @@ namespace lacquer {
 extern const std::size_t kTableTexelCount;
 extern const glm::vec4 kTableTexels[];
 
+// What lq_table_texel of the shader source returns; who wants it to return something else defines
+// this before including shader_float.h or shader_double.h.
+#ifndef LACQUER_TABLE_TEXEL
+#define LACQUER_TABLE_TEXEL(index) kTableTexels[index]
+#endif
+
 }  // namespace lacquer
-
-namespace lacquer::glsl_float {
-
-inline glm::vec4 lq_table_texel(const int index) {
-    return kTableTexels[index];
-}
-
-}  // namespace lacquer::glsl_float
-
-namespace lacquer::glsl_double {
-
-inline glm::dvec4 lq_table_texel(const int index) {
-    return glm::dvec4{kTableTexels[index]};
-}
-
-}  // namespace lacquer::glsl_double

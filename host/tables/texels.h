@@ -15,6 +15,9 @@ namespace lacquer {
 // last filled up with 0. Every number is one that a half can hold.
 std::vector<glm::vec4> pack_texels(const std::array<Table, kTableNames.size()>& tables);
 
+// Columns of the texture that holds the texels row after row: LQ_TABLE_COLUMNS of the shader source.
+inline constexpr std::size_t kTexelColumns = 128;
+
 // Those of the tables that the program ships with, read once. Throws Error naming the file that is
 // missing or damaged.
 std::span<const glm::vec4> shipped_texels();

@@ -4,6 +4,9 @@
 #ifndef LQ_TABLES_TEXELS_GLSL
 #define LQ_TABLES_TEXELS_GLSL
 
+// Columns of a texture that holds the texels row after row, from (0, 0) on.
+const int LQ_TABLE_COLUMNS = 128;
+
 // Nodes per axis.
 const int LQ_TABLE_ALPHAS = 16;
 const int LQ_TABLE_ETAS = 16;

@@ -1,6 +1,9 @@
 // A sphere under directional lights, shaded by the model that the variant was compiled for.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_samplerless_texture_functions : require
+#include "tables.glsl"
+#include "../kernels/model.glsl"
 #include "../lighting/sphere.glsl"
 #include "../lighting/tone_mapping.glsl"
 #include "view.glsl"

@@ -51,6 +51,7 @@ const codegen::Package& everything() {
     static const codegen::Package package = [] {
         codegen::Request request;
         request.source_root = SHADER_SOURCE;
+        request.tables_folder = BAKED_TABLES;
         return codegen::generate(request);
     }();
     return package;

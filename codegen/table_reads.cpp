@@ -1,0 +1,50 @@
+// Counts the texels that a surface reads: runs the shader source as C++ and listens.
+#define LACQUER_TABLE_TEXEL(index) codegen::counted_texel(index)
+#include <algorithm>
+
+#include "codegen/cost.h"
+#include "shading/table_texels.h"
+
+namespace lacquer::codegen {
+
+namespace {
+
+// Per thread: packages may be generated side by side.
+thread_local std::size_t texels_read = 0;
+
+const glm::vec4& counted_texel(int index) {
+    ++texels_read;
+    return kTableTexels[index];
+}
+
+}  // namespace
+
+}  // namespace lacquer::codegen
+
+#include "shading/shader_double.h"
+
+namespace lacquer::codegen {
+
+namespace {
+
+std::size_t reads_of_coated(double eta, int base_lobe) {
+    using namespace shader;
+    texels_read = 0;
+    lq_coated_prepare(LqCoatedMaterial{LqFacets{LQ_NDF_GGX, 0.3, 0.3}, eta, vec3{0.5, 0.5, 0.5},
+                                       vec3{0.5, 0.5, 0.5}, base_lobe});
+    return texels_read;
+}
+
+}  // namespace
+
+// The tables of either side of eta 1 differ in size.
+std::size_t table_reads(const Level& level) {
+    if (!level.reads_tables) return 0;
+    std::size_t most = 0;
+    for (const double eta : {0.7, 1.5})
+        for (const int base_lobe : {shader::LQ_BASE_LOBE_EXACT, shader::LQ_BASE_LOBE_GGX})
+            most = std::max(most, reads_of_coated(eta, base_lobe));
+    return most;
+}
+
+}  // namespace lacquer::codegen

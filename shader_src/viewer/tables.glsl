@@ -1,0 +1,16 @@
+// The baked tables for the picture of a sphere, from a texture: not every language has storage
+// buffers in fragment shaders.
+#ifndef LQ_VIEWER_TABLES_GLSL
+#define LQ_VIEWER_TABLES_GLSL
+
+#include "../tables/texels.glsl"
+
+#ifdef LQ_MODEL_COATED  // of all levels so far, this one reads tables
+layout(set = 0, binding = 1) uniform texture2D tables;
+
+vec4 lq_table_texel(const int index) {
+    return texelFetch(tables, ivec2(index % LQ_TABLE_COLUMNS, index / LQ_TABLE_COLUMNS), 0);
+}
+#endif
+
+#endif
