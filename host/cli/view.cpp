@@ -10,6 +10,7 @@
 #include "cli/options.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/model_scope.h"
 #include "viewer/viewer.h"
 
 namespace lacquer {
@@ -24,15 +25,18 @@ constexpr const char* kDefaultMaterial = "vermilion_lacquer";
 constexpr const char* kSummary = "Show a sphere in a window, shaded by the generated SPIR-V";
 
 constexpr const char* kHelp =
-    "Drag with the mouse to move the highlight; choose a material with the arrow keys or 1 to 0;\n"
-    "R turns the two lights behind the sphere on and off; Escape closes the window.\n\n"
+    "Drag with the mouse to move the highlight; choose a material with the arrow keys or 1 to 0,\n"
+    "and with M the next model that can shade it; R turns the two lights behind the sphere on and\n"
+    "off; Escape closes the window.\n\n"
     "Examples:\n"
     "  lacquer view --material gold\n"
+    "  lacquer view --material celadon --model coated-exact\n"
     "  lacquer view --material mine.json --device nvidia\n"
     "  xvfb-run lacquer view --material gold --screenshot gold.png";
 
 struct Arguments {
     std::string material = kDefaultMaterial;
+    std::string model = "plain";
     std::vector<double> light;
     BackendOptions device;
     viewer::Options options;
@@ -61,6 +65,8 @@ void run(Arguments& arguments) {
         require_writable(options.screenshot);
     }
     load_materials(arguments.material, options);
+    options.model = model_from_name(arguments.model);
+    require_shadeable(options.materials[options.first_material], options.model);
     viewer::run(options);
 }
 
@@ -71,6 +77,10 @@ void add_view_command(CLI::App& app) {
     viewer::Options& options = arguments->options;
     CLI::App* command = app.add_subcommand("view", kSummary)->footer(kHelp);
     command->add_option("--material", arguments->material, "Material file, or a bundled name")
+        ->capture_default_str();
+    command
+        ->add_option("--model", arguments->model,
+                     "How materials are shaded; those that it cannot shade by 'plain'")
         ->capture_default_str();
     add_device_options(*command, arguments->device);
     command

@@ -140,7 +140,7 @@ void Renderer::Impl::record(const Scene& scene, const SwapchainImage& image,
     commands.reset();
     commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     sphere.record(commands, *image.framebuffer, extent,
-                  sphere_view(scene, extent.width, extent.height));
+                  sphere_view(scene, extent.width, extent.height), scene.model);
     if (copy != nullptr) record_copy(commands, image.image, extent, *copy->handle);
     commands.end();
 }

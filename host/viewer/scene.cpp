@@ -7,7 +7,7 @@
 #include <span>
 
 #include "backends/pack.h"
-#include "core/model.h"
+#include "core/model_scope.h"
 
 namespace lacquer::viewer {
 
@@ -46,11 +46,24 @@ glm::vec3 default_light() {
     return glm::normalize(glm::vec3{-0.5f, 0.65f, 0.6f});
 }
 
-std::array<glm::vec4, kSurfaceRows> surface_of(const Material& material) {
-    const std::vector<glm::vec4> rows = pack_surfaces(Model::plain, std::span{&material, 1});
+std::array<glm::vec4, kSurfaceRows> surface_of(const Material& material, Model model) {
+    const std::vector<glm::vec4> rows = pack_surfaces(model, std::span{&material, 1});
     std::array<glm::vec4, kSurfaceRows> surface{};
-    std::ranges::copy_n(rows.begin(), kSurfaceRows, surface.begin());
+    std::ranges::copy(std::span{rows}.first(std::min(rows.size(), kSurfaceRows)), surface.begin());
     return surface;
+}
+
+Model model_for(const Material& material, Model wanted) {
+    return why_not_shadeable(material, wanted) ? Model::plain : wanted;
+}
+
+Model next_model(const Material& material, Model model) {
+    const std::span<const Model> models = all_models();
+    auto next = std::ranges::find(models, model);
+    do {
+        if (++next == models.end()) next = models.begin();
+    } while (*next != model && why_not_shadeable(material, *next));
+    return *next;
 }
 
 SphereView sphere_view(const Scene& scene, std::uint32_t width, std::uint32_t height) {

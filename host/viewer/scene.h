@@ -7,11 +7,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "core/model.h"
 #include "lacquer/material.h"
 
 namespace lacquer::viewer {
 
-inline constexpr std::size_t kSurfaceRows = 6;
+inline constexpr std::size_t kSurfaceRows = 6;  // as many as any model needs
 inline constexpr std::size_t kMaxLights = 4;
 
 // LqSphereView of shader_src/viewer/view.glsl, byte for byte (std140).
@@ -27,6 +28,7 @@ struct SphereView {
 static_assert(sizeof(SphereView) == 256);
 
 struct Scene {
+    Model model = Model::plain;
     std::array<glm::vec4, kSurfaceRows> surface{};
     glm::vec3 light{};  // unit, towards the light
     bool rim_lights = true;
@@ -35,8 +37,14 @@ struct Scene {
 // From above the viewer's left shoulder, as in the pictures of `lacquer compare`.
 glm::vec3 default_light();
 
-// The packed rows of `material`. Throws Error where the model `plain` cannot shade it.
-std::array<glm::vec4, kSurfaceRows> surface_of(const Material& material);
+// The packed rows of `material`, the rest 0. Throws Error where `model` cannot shade it.
+std::array<glm::vec4, kSurfaceRows> surface_of(const Material& material, Model model);
+
+// `wanted` where it can shade `material`, otherwise `plain`.
+Model model_for(const Material& material, Model wanted);
+
+// The model after `model`, of those that can shade `material`.
+Model next_model(const Material& material, Model model);
 
 // A picture of `width` x `height` pixels, the sphere's radius kRadius of its shorter half.
 SphereView sphere_view(const Scene& scene, std::uint32_t width, std::uint32_t height);

@@ -1,5 +1,7 @@
 #include "viewer/sphere_pass.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstring>
 #include <vector>
@@ -18,10 +20,10 @@ constexpr vk::ShaderStageFlags kShaders =
     vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 constexpr std::uint32_t kTriangle = 3;  // vertices
 
-vk::raii::ShaderModule load_shader(const vk::raii::Device& device, const char* stage) {
-    const std::string name =
-        std::string{"shaders/spirv/kernel/plain_sphere_view."} + stage + ".spv";
-    const std::string bytes = read_file(share_file(name));
+vk::raii::ShaderModule load_shader(const vk::raii::Device& device, std::string_view level,
+                                   std::string_view stage) {
+    const std::string bytes = read_file(
+        share_file(fmt::format("shaders/spirv/kernel/{}_sphere_view.{}.spv", level, stage)));
     std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
     std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
     return {device, vk::ShaderModuleCreateInfo{{}, words}};
@@ -30,11 +32,13 @@ vk::raii::ShaderModule load_shader(const vk::raii::Device& device, const char* s
 }  // namespace
 
 SpherePass::SpherePass(const GraphicsDevice& graphics, vk::Format format)
-    : view_{graphics.physical, graphics.device, BufferArgument::Kind::uniform} {
+    : device_{&graphics.device},
+      view_{graphics.physical, graphics.device, BufferArgument::Kind::uniform},
+      tables_{graphics} {
     view_.reserve(sizeof(SphereView));
     create_render_pass(graphics.device, format);
     create_descriptors(graphics.device);
-    create_pipeline(graphics.device);
+    layout_ = {graphics.device, vk::PipelineLayoutCreateInfo{{}, *set_layout_}};
 }
 
 void SpherePass::create_render_pass(const vk::raii::Device& device, vk::Format format) {
@@ -56,22 +60,30 @@ void SpherePass::create_render_pass(const vk::raii::Device& device, vk::Format f
 }
 
 void SpherePass::create_descriptors(const vk::raii::Device& device) {
-    const auto type = vk::DescriptorType::eUniformBuffer;
-    const vk::DescriptorSetLayoutBinding binding{0, type, 1, kShaders};
-    set_layout_ = {device, vk::DescriptorSetLayoutCreateInfo{{}, binding}};
-    const vk::DescriptorPoolSize size{type, 1};
+    using Type = vk::DescriptorType;
+    const std::array bindings{vk::DescriptorSetLayoutBinding{0, Type::eUniformBuffer, 1, kShaders},
+                              vk::DescriptorSetLayoutBinding{1, Type::eSampledImage, 1,
+                                                             vk::ShaderStageFlagBits::eFragment}};
+    set_layout_ = {device, vk::DescriptorSetLayoutCreateInfo{{}, bindings}};
+    const std::array sizes{vk::DescriptorPoolSize{Type::eUniformBuffer, 1},
+                           vk::DescriptorPoolSize{Type::eSampledImage, 1}};
     pool_ = {device, vk::DescriptorPoolCreateInfo{
-                         vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size}};
+                         vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes}};
     set_ = std::move(
         vk::raii::DescriptorSets{device, vk::DescriptorSetAllocateInfo{*pool_, *set_layout_}}[0]);
     const vk::DescriptorBufferInfo buffer{view_.handle(), 0, sizeof(SphereView)};
-    device.updateDescriptorSets(vk::WriteDescriptorSet{*set_, 0, 0, type, {}, buffer}, {});
+    const vk::DescriptorImageInfo texture{
+        {}, tables_.view(), vk::ImageLayout::eShaderReadOnlyOptimal};
+    device.updateDescriptorSets(
+        {vk::WriteDescriptorSet{*set_, 0, 0, Type::eUniformBuffer, {}, buffer},
+         vk::WriteDescriptorSet{*set_, 1, 0, Type::eSampledImage, texture}},
+        {});
 }
 
-void SpherePass::create_pipeline(const vk::raii::Device& device) {
-    layout_ = {device, vk::PipelineLayoutCreateInfo{{}, *set_layout_}};
-    const vk::raii::ShaderModule vertex = load_shader(device, "vert");
-    const vk::raii::ShaderModule fragment = load_shader(device, "frag");
+vk::raii::Pipeline SpherePass::create_pipeline(const vk::raii::Device& device,
+                                               std::string_view level) const {
+    const vk::raii::ShaderModule vertex = load_shader(device, level, "vert");
+    const vk::raii::ShaderModule fragment = load_shader(device, level, "frag");
     const std::array stages{
         vk::PipelineShaderStageCreateInfo{{}, vk::ShaderStageFlagBits::eVertex, *vertex, "main"},
         vk::PipelineShaderStageCreateInfo{
@@ -92,11 +104,19 @@ void SpherePass::create_pipeline(const vk::raii::Device& device) {
     const vk::GraphicsPipelineCreateInfo info{
         {},           stages,  &no_vertices, &assembly, nullptr,  &viewport,     &rasterization,
         &multisample, nullptr, &blend,       &dynamic,  *layout_, *render_pass_, 0};
-    pipeline_ = {device, nullptr, info};
+    return {device, nullptr, info};
+}
+
+vk::Pipeline SpherePass::pipeline_of(Model model) {
+    const std::string_view level = model_level(model);
+    auto found = pipelines_.find(level);
+    if (found == pipelines_.end())
+        found = pipelines_.emplace(level, create_pipeline(*device_, level)).first;
+    return *found->second;
 }
 
 void SpherePass::record(const vk::raii::CommandBuffer& commands, vk::Framebuffer framebuffer,
-                        vk::Extent2D extent, const SphereView& view) {
+                        vk::Extent2D extent, const SphereView& view, Model model) {
     view_.write(std::as_bytes(std::span{&view, 1}));
     view_.record_upload(commands, sizeof(SphereView));
     const vk::MemoryBarrier uploaded{Access::eTransferWrite, Access::eUniformRead};
@@ -108,7 +128,7 @@ void SpherePass::record(const vk::raii::CommandBuffer& commands, vk::Framebuffer
         0.0f, 1.0f};
     commands.beginRenderPass(vk::RenderPassBeginInfo{*render_pass_, framebuffer, whole},
                              vk::SubpassContents::eInline);
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline_of(model));
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set_, {});
     commands.setViewport(0, viewport);
     commands.setScissor(0, whole);

@@ -20,6 +20,7 @@ constexpr int kMaxAttempts = 100;
 class Exhibit {
  public:
     Exhibit(const Options& options, Window& window) : options_{&options}, window_{&window} {
+        wanted_ = options.model;
         scene_.light = options.light.value_or(default_light());
         scene_.rim_lights = !options.light;
         show(options.first_material);
@@ -43,6 +44,9 @@ class Exhibit {
                 return show((material_ + count - 1) % count);
             case Key::next:
                 return show((material_ + 1) % count);
+            case Key::model:
+                wanted_ = next_model(options_->materials[material_], scene_.model);
+                return show(material_);
             case Key::close:
                 return window_->close();
             case Key::rim_lights:
@@ -59,15 +63,18 @@ class Exhibit {
 
  private:
     void show(std::size_t index) {
+        const Material& material = options_->materials[index];
         material_ = index;
-        scene_.surface = surface_of(options_->materials[index]);
-        window_->set_title(fmt::format("Lacquer: {}", options_->materials[index].name));
+        scene_.model = model_for(material, wanted_);
+        scene_.surface = surface_of(material, scene_.model);
+        window_->set_title(fmt::format("Lacquer: {}, {}", material.name, model_name(scene_.model)));
         changed_ = true;
     }
 
     const Options* options_;
     Window* window_;
     std::size_t material_ = 0;
+    Model wanted_ = Model::plain;
     Scene scene_;
     bool changed_ = true;
 };

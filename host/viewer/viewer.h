@@ -1,4 +1,5 @@
-// `lacquer view`: a sphere in a window, its light moved by the mouse, its material chosen by keys.
+// `lacquer view`: a sphere in a window, its light moved by the mouse, its material and model chosen
+// by keys.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model.h"
 #include "lacquer/material.h"
 
 namespace lacquer::viewer {
@@ -15,9 +17,10 @@ namespace lacquer::viewer {
 struct Options {
     std::vector<Material> materials;  // at least one
     std::size_t first_material = 0;
-    std::string device;       // part of a Vulkan device's name, or its index; empty: lavapipe
-    bool validation = false;  // Vulkan validation layers; any message is an Error
-    int size = 800;           // pixels of either side of the window, in [64, 4096]
+    Model model = Model::plain;  // for materials that it can shade; `plain` for the others
+    std::string device;          // part of a Vulkan device's name, or its index; empty: lavapipe
+    bool validation = false;     // Vulkan validation layers; any message is an Error
+    int size = 800;              // pixels of either side of the window, in [64, 4096]
     // The direction towards the only light (unit). Without one there is a light that people move,
     // and two dim ones behind the sphere.
     std::optional<glm::vec3> light;

@@ -32,6 +32,8 @@ std::optional<Key> key_of(int code) {
         case GLFW_KEY_DOWN:
         case GLFW_KEY_SPACE:
             return Key::next;
+        case GLFW_KEY_M:
+            return Key::model;
         case GLFW_KEY_R:
             return Key::rim_lights;
         case GLFW_KEY_ESCAPE:

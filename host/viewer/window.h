@@ -12,7 +12,7 @@ struct GLFWwindow;
 
 namespace lacquer::viewer {
 
-enum class Key { previous, next, rim_lights, close };
+enum class Key { previous, next, model, rim_lights, close };
 
 struct Input {
     std::function<void(glm::vec2 position)>

@@ -45,23 +45,34 @@ std::optional<std::uint32_t> find_memory_type(const vk::PhysicalDeviceMemoryProp
     return std::nullopt;
 }
 
+// Memory of the first of `preferences` that there is; `what` names its use in messages.
+struct Allocation {
+    vk::raii::DeviceMemory memory;
+    vk::MemoryPropertyFlags flags;
+};
+
+Allocation allocate(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
+                    const vk::MemoryRequirements& needed,
+                    std::span<const vk::MemoryPropertyFlags> preferences, std::string_view what) {
+    const auto memory = physical.getMemoryProperties();
+    for (const vk::MemoryPropertyFlags flags : preferences)
+        if (const auto type = find_memory_type(memory, needed.memoryTypeBits, flags))
+            return {{device, vk::MemoryAllocateInfo{needed.size, *type}}, flags};
+    throw Error{fmt::format("Vulkan: no memory type for {} of {} bytes", what, needed.size)};
+}
+
 Buffer create_buffer(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
                      std::size_t size, vk::BufferUsageFlags usage,
                      std::span<const vk::MemoryPropertyFlags> preferences) {
     Buffer buffer;
     buffer.handle = {device, vk::BufferCreateInfo{{}, size, usage}};
-    const vk::MemoryRequirements needed = buffer.handle.getMemoryRequirements();
-    const auto memory = physical.getMemoryProperties();
-    for (const vk::MemoryPropertyFlags flags : preferences) {
-        const auto type = find_memory_type(memory, needed.memoryTypeBits, flags);
-        if (!type) continue;
-        buffer.memory = {device, vk::MemoryAllocateInfo{needed.size, *type}};
-        buffer.handle.bindMemory(*buffer.memory, 0);
-        if (flags & Property::eHostVisible)
-            buffer.mapped = static_cast<std::byte*>(buffer.memory.mapMemory(0, VK_WHOLE_SIZE));
-        return buffer;
-    }
-    throw Error{fmt::format("Vulkan: no memory type for a buffer of {} bytes", size)};
+    Allocation allocation =
+        allocate(physical, device, buffer.handle.getMemoryRequirements(), preferences, "a buffer");
+    buffer.memory = std::move(allocation.memory);
+    buffer.handle.bindMemory(*buffer.memory, 0);
+    if (allocation.flags & Property::eHostVisible)
+        buffer.mapped = static_cast<std::byte*>(buffer.memory.mapMemory(0, VK_WHOLE_SIZE));
+    return buffer;
 }
 
 }  // namespace
@@ -69,6 +80,16 @@ Buffer create_buffer(const vk::raii::PhysicalDevice& physical, const vk::raii::D
 Buffer create_host_buffer(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
                           std::size_t size, vk::BufferUsageFlags usage) {
     return create_buffer(physical, device, size, usage, kHostMemory);
+}
+
+Image create_device_image(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
+                          const vk::ImageCreateInfo& info) {
+    Image image{{device, info}};
+    image.memory =
+        allocate(physical, device, image.handle.getMemoryRequirements(), kDeviceMemory, "an image")
+            .memory;
+    image.handle.bindMemory(*image.memory, 0);
+    return image;
 }
 
 BindingBuffer::BindingBuffer(const vk::raii::PhysicalDevice& physical,

@@ -1,4 +1,5 @@
-// Buffers on a device and the way of the host's bytes into them and back. For source files only.
+// Buffers and images on a device, and the way of the host's bytes into them and back. For source
+// files only.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +21,16 @@ struct Buffer {
 // has no such memory.
 Buffer create_host_buffer(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
                           std::size_t size, vk::BufferUsageFlags usage);
+
+// An image with its memory.
+struct Image {
+    vk::raii::Image handle = nullptr;
+    vk::raii::DeviceMemory memory = nullptr;
+};
+
+// An image that the device alone sees. Throws Error where it has no memory for one.
+Image create_device_image(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
+                          const vk::ImageCreateInfo& info);
 
 // A buffer for one binding that grows as needed. Where host and device share memory the host uses
 // it directly; otherwise bytes travel through a second buffer that the host sees.

@@ -36,7 +36,12 @@ constexpr int kTolerance_levels = 2;
 
 const glm::dvec3 kLight{-0.48, 0.64, 0.6};
 
-struct Screenshot : testing::TestWithParam<const char*> {};
+struct Picture {
+    const char* material;
+    Model model;
+};
+
+struct Screenshot : testing::TestWithParam<Picture> {};
 
 ProcessResult view(const std::vector<std::string>& options, const fs::path& screenshot) {
     std::vector<std::string> arguments{"-a",           LACQUER_PROGRAM, "view",
@@ -45,11 +50,13 @@ ProcessResult view(const std::vector<std::string>& options, const fs::path& scre
     return run_process(LACQUER_XVFB_RUN, arguments);
 }
 
-std::vector<DisplayColor> reference_picture(const std::string& name) {
-    const Material material = load_material(share_file("materials/" + name + ".json"));
+std::vector<DisplayColor> reference_picture(const Picture& picture) {
+    const Material material =
+        load_material(share_file(fmt::format("materials/{}.json", picture.material)));
     const QueryGrid grid = sphere_grid("sphere", kLight, kSphereSize_px);
     const auto backend = backend_from_name("reference").create({});
-    const Job job{.kernel = grid.kernel,
+    const Job job{.model = picture.model,
+                  .kernel = grid.kernel,
                   .materials = std::span{&material, 1},
                   .queries_per_material = grid.query_count(),
                   .inputs = grid.inputs,
@@ -71,19 +78,26 @@ int difference(const glm::vec4& shown, const DisplayColor& expected) {
                      std::abs(levels(shown.b) - expected.b)});
 }
 
+std::string name_of(const Picture& picture) {
+    std::string name = fmt::format("{}_{}", picture.material, model_name(picture.model));
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
 TEST_P(Screenshot, is_the_reference_s_picture_of_the_material) {
     if (std::string{LACQUER_XVFB_RUN}.empty()) GTEST_SKIP() << "xvfb-run is not installed";
-    const std::string material = GetParam();
-    const fs::path file = fs::path{LACQUER_SCREENSHOTS} / (material + ".png");
+    const Picture picture = GetParam();
+    const fs::path file = fs::path{LACQUER_SCREENSHOTS} / (name_of(picture) + ".png");
     const ProcessResult result =
-        view({"--material", material, "--size", std::to_string(kWindowSize_px), "--light",
+        view({"--material", picture.material, "--model", std::string{model_name(picture.model)},
+              "--size", std::to_string(kWindowSize_px), "--light",
               fmt::format("{},{},{}", kLight.x, kLight.y, kLight.z)},
              file);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const Image shown = read_image(file);
     ASSERT_EQ(shown.width, kWindowSize_px);
     ASSERT_EQ(shown.height, kWindowSize_px);
-    const std::vector<DisplayColor> expected = reference_picture(material);
+    const std::vector<DisplayColor> expected = reference_picture(picture);
     int largest = 0;
     for (int y = 0; y < kSphereSize_px; ++y)
         for (int x = 0; x < kSphereSize_px; ++x)
@@ -94,9 +108,16 @@ TEST_P(Screenshot, is_the_reference_s_picture_of_the_material) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Materials, Screenshot,
-                         testing::Values("gold", "aluminium", "porcelain", "frosted_glass",
-                                         "lacquered_copper"),
-                         [](const auto& test) { return std::string{test.param}; });
+                         testing::Values(Picture{"gold", Model::plain},
+                                         Picture{"aluminium", Model::plain},
+                                         Picture{"porcelain", Model::plain},
+                                         Picture{"frosted_glass", Model::plain},
+                                         Picture{"lacquered_copper", Model::plain},
+                                         Picture{"red_plastic", Model::openpbr_coat},
+                                         Picture{"celadon", Model::coated_exact},
+                                         Picture{"porcelain", Model::coated_ggx},
+                                         Picture{"air_film_underwater", Model::coated_exact}),
+                         [](const auto& test) { return name_of(test.param); });
 
 TEST(View, draws_frame_after_frame_without_validation_messages) {
     if (std::string{LACQUER_XVFB_RUN}.empty()) GTEST_SKIP() << "xvfb-run is not installed";
@@ -104,6 +125,14 @@ TEST(View, draws_frame_after_frame_without_validation_messages) {
     const ProcessResult result = view({"--frames", "5", "--size", "128"}, file);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_TRUE(fs::exists(file));
+}
+
+TEST(View, refuses_a_model_that_cannot_shade_the_material) {
+    const ProcessResult result =
+        run_process(LACQUER_PROGRAM, {"view", "--material", "gold", "--model", "coated-exact"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.err.find("the model 'coated-exact' shades one layer"), std::string::npos)
+        << result.err;
 }
 
 TEST(View, says_that_there_is_no_display) {
