@@ -228,6 +228,42 @@ std::vector<Target> chosen_targets(const Request& request, const Variant& varian
     return targets;
 }
 
+// A file to be made: of variants[variant] in `target`.
+struct Job {
+    std::size_t variant;
+    Target target;
+};
+
+std::vector<Job> chosen_jobs(const Request& request, const std::vector<Variant>& variants) {
+    std::vector<Job> jobs;
+    for (std::size_t i = 0; i < variants.size(); ++i)
+        for (const Target target : chosen_targets(request, variants[i]))
+            jobs.push_back({i, target});
+    return jobs;
+}
+
+// Reports progress from any thread.
+class Counter {
+ public:
+    using Report = std::function<void(std::size_t done, std::size_t total)>;
+
+    Counter(const Report& report, std::size_t total) : report_{report}, total_{total} {
+        if (report_) report_(0, total_);
+    }
+
+    void advance() {
+        const std::lock_guard lock{mutex_};
+        ++done_;
+        if (report_) report_(done_, total_);
+    }
+
+ private:
+    const Report& report_;
+    std::size_t total_;
+    std::size_t done_ = 0;
+    std::mutex mutex_;
+};
+
 void require_naga(const Request& request) {
     if (!chosen(request.targets, Target::wgsl)) return;
     const WgslAvailability naga = wgsl_availability();
@@ -249,37 +285,26 @@ Package generate(const Request& request) {
     require_naga(request);
     const SourceTree tree{request.source_root};
     const std::vector<Variant> variants = chosen_variants(tree, request);
-    std::size_t total = 0;
-    for (const Variant& variant : variants) total += chosen_targets(request, variant).size();
-    require_any(total);
-    total += variants.size();
-    std::size_t done = 0;
-    const auto report = [&] {
-        if (request.progress) request.progress(done, total);
-    };
+    const std::vector<Job> jobs = chosen_jobs(request, variants);
+    require_any(jobs.size());
+    Counter counter{request.progress, variants.size() + jobs.size()};
     std::vector<CompiledVariant> compiled(variants.size());
-    std::mutex reporting;
     tbb::parallel_for(std::size_t{0}, variants.size(), [&](std::size_t i) {
         compiled[i] = compile_variant(tree, variants[i]);
-        const std::lock_guard lock{reporting};
-        ++done;
-        report();
+        counter.advance();
     });
     std::vector<std::string> naga(variants.size());
     if (chosen(request.targets, Target::wgsl)) naga = naga_texts(variants, compiled);
-    Package package{tree.hash(), {}, {}};
+    Package package{tree.hash(), std::vector<ShaderFile>(jobs.size()), {}};
+    tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
+        const auto [variant, target] = jobs[i];
+        package.files[i] = make_file(variants[variant], compiled[variant], target, naga[variant]);
+        counter.advance();
+    });
     const bool tables = std::ranges::any_of(
-        compiled, [](const CompiledVariant& variant) { return variant.table_reads > 0; });
+        package.files, [](const ShaderFile& file) { return file.table_reads > 0; });
     if (tables && !request.tables_folder.empty())
         package.tables = table_files(request.tables_folder);
-    for (std::size_t i = 0; i < variants.size(); ++i) {
-        for (const Target target : chosen_targets(request, variants[i])) {
-            report();
-            package.files.push_back(make_file(variants[i], compiled[i], target, naga[i]));
-            ++done;
-        }
-    }
-    report();
     return package;
 }
 
