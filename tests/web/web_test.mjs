@@ -17,9 +17,18 @@ const SIZE = 256;
 const TOLERANCE_LEVELS = 2;
 
 // Unit directions: every material is lit from the left, and some from behind.
+const FROM_THE_LEFT = "-0.48,0.64,0.6";
+const FROM_BEHIND = "0.8,-0.36,-0.48";
 const PICTURES = [
-    ...MATERIALS.map((material) => [material, "-0.48,0.64,0.6"]),
-    ...["aluminium", "gold", "porcelain"].map((material) => [material, "0.8,-0.36,-0.48"]),
+    ...MATERIALS.map((material) => [material, "plain", FROM_THE_LEFT]),
+    ...["aluminium", "gold", "porcelain"].map((material) => [material, "plain", FROM_BEHIND]),
+    ["red_plastic", "clearcoat", FROM_THE_LEFT],
+    ["blue_lacquer", "weidlich-wilkie", FROM_THE_LEFT],
+    ["lacquered_wood", "openpbr-coat", FROM_THE_LEFT],
+    ["celadon", "coated-exact", FROM_THE_LEFT],
+    ["amber_varnish", "coated-exact", FROM_BEHIND],
+    ["air_film_underwater", "coated-exact", FROM_THE_LEFT],
+    ["porcelain", "coated-ggx", FROM_THE_LEFT],
 ];
 
 const server = await servePage(LACQUER_PAGE);
@@ -40,10 +49,11 @@ async function openPage(browser, query, viewport) {
 }
 
 // The reference's picture of `material`.
-function referencePicture(material, light, folder) {
+function referencePicture(material, model, light, folder) {
     const file = join(folder, "reference.png");
-    const options = ["--material", material, "--backend", "reference", "--light", light];
-    execFileSync(LACQUER_PROGRAM, ["sphere", ...options, "--size", `${SIZE}`, "-o", file]);
+    const what = ["--material", material, "--model", model, "--light", light];
+    const how = ["--backend", "reference", "--size", `${SIZE}`, "-o", file];
+    execFileSync(LACQUER_PROGRAM, ["sphere", ...what, ...how]);
     return readPicture(readFileSync(file));
 }
 
@@ -65,11 +75,12 @@ describe("with WebGPU", () => {
         });
         after(() => page.close());
 
-        for (const [material, light] of PICTURES) {
-            test(`${material} lit from ${light}`, async (context) => {
-                await load(page, `?material=${material}&light=${light}&studio=0&size=${SIZE}`);
+        for (const [material, model, light] of PICTURES) {
+            test(`${material} as ${model} lit from ${light}`, async (context) => {
+                const what = `?material=${material}&model=${model}&light=${light}`;
+                await load(page, `${what}&studio=0&size=${SIZE}`);
                 const actual = readPicture(await page.locator("#stage").screenshot());
-                const expected = referencePicture(material, light, folder);
+                const expected = referencePicture(material, model, light, folder);
                 const { levels, x, y, compared } = largestDifference(actual, expected);
                 context.diagnostic(`largest difference: ${levels} of 255`);
                 assert.ok(compared > 0.75 * SIZE * SIZE, `compared only ${compared} pixels`);
@@ -99,6 +110,31 @@ describe("with WebGPU", () => {
         await page.getByRole("button", { name: "copper" }).first().click();
         assert.match(await page.locator("#material-name").innerText(), /copper/i);
         assert.match(await page.locator("#controls").innerText(), /kappa g/);
+        await page.close();
+    });
+
+    test("the models offered are those that can shade the material", async () => {
+        const page = await openPage(browser, "?material=celadon&model=plain", {
+            width: 1280,
+            height: 800,
+        });
+        const models = page.locator("#controls select").first();
+        const offered = () => models.locator("option").allInnerTexts();
+        assert.ok((await offered()).includes("coated-exact"));
+        assert.match(await page.locator("#notice").innerText(), /“plain” leaves out/);
+        await models.selectOption({ label: "coated-exact" });
+        await page.locator("#notice:empty").waitFor({ state: "attached" });
+        await page.getByRole("button", { name: "copper" }).first().click();
+        assert.ok(!(await offered()).includes("coated-exact"));
+        await page.close();
+    });
+
+    test("a model in the address that cannot shade the material is a clear message", async () => {
+        const page = await browser.newPage();
+        await page.goto(`${server.address}?material=gold&model=coated-exact`);
+        const message = page.locator("#failure-message:not(:empty)");
+        await message.waitFor();
+        assert.match(await message.innerText(), /gold: the model 'coated-exact' shades one layer/);
         await page.close();
     });
 

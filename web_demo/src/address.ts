@@ -1,11 +1,13 @@
 // The parameters of the page's address, with which a picture can be asked for exactly:
-//     ?material=gold&light=-0.5,0.65,0.6&irradiance=3.14&studio=0&size=256
+//     ?material=celadon&model=coated-exact&light=-0.5,0.65,0.6&irradiance=3.14&studio=0&size=256
 // `size` shows nothing but the sphere, touching the edges of a square of so many pixels.
 import { type Vec3, vec3 } from "wgpu-matrix";
 import { fail } from "./fail";
+import { MODEL_NAMES, type ModelName } from "./material/models";
 
 export interface Address {
     material?: string;
+    model?: ModelName;
     light?: Vec3;
     irradiance?: number;
     studio?: boolean;
@@ -34,11 +36,18 @@ function readDirection(key: string, text: string): Vec3 {
     return vec3.normalize([x, y, z]);
 }
 
+function readModel(text: string): ModelName {
+    const found = MODEL_NAMES.find((model) => model === text);
+    return found ?? fail(`The model '${text}' is not one of: ${MODEL_NAMES.join(", ")}.`);
+}
+
 export function readAddress(query: string): Address {
     const address: Address = {};
     for (const [key, text] of new URLSearchParams(query)) {
         if (key === "material") {
             address.material = text;
+        } else if (key === "model") {
+            address.model = readModel(text);
         } else if (key === "light") {
             address.light = readDirection(key, text);
         } else if (key === "irradiance") {

@@ -1,20 +1,23 @@
 // Wires the page together: the address, the device, the scene, and what people change of it.
 import "./style.css";
 import { type Address, readAddress } from "./address";
-import { element, showUncaughtErrors } from "./fail";
+import { element, fail, showUncaughtErrors } from "./fail";
 import { followSize } from "./gpu/canvas";
 import { requestDevice } from "./gpu/device";
 import { bundledMaterial, bundledNames, metals } from "./material/bundled";
 import type { Material } from "./material/material";
 import { parseMaterial } from "./material/parse";
 import { MaterialError } from "./material/place";
+import { type ModelName, modelFor, omittedBy, whyNotShadeable } from "./material/models";
+import { SphereViewPipelines } from "./passes/sphere_view";
 import { DEFAULT_IRRADIANCE, DEFAULT_LIGHT, type Scene, sphereView } from "./scene";
-import { createRenderer, type Renderer, SphereCanvas } from "./sphere_canvas";
+import { SphereCanvas } from "./sphere_canvas";
 import { showControls } from "./ui/controls";
 import { dragLight } from "./ui/light_drag";
 import { addSwatch, markChosen } from "./ui/swatches";
 
 const DEFAULT_MATERIAL = "vermilion_lacquer";
+const DEFAULT_MODEL: ModelName = "coated-exact";
 const STAGE_HALF_EXTENT = 1.2; // leaves the sphere some air
 const SWATCH_HALF_EXTENT = 1.02;
 
@@ -23,8 +26,14 @@ const swatches = element<HTMLElement>("#swatches");
 const notice = element<HTMLElement>("#notice");
 
 function sceneOf(address: Address): Scene {
+    const material = bundledMaterial(address.material ?? DEFAULT_MATERIAL);
+    const why = address.model && whyNotShadeable(material, address.model);
+    if (why !== undefined) {
+        fail(`${material.name}: the model '${address.model}' ${why}.`);
+    }
     return {
-        material: bundledMaterial(address.material ?? DEFAULT_MATERIAL),
+        material,
+        model: address.model ?? DEFAULT_MODEL,
         light: address.light ?? DEFAULT_LIGHT,
         irradiance: address.irradiance ?? DEFAULT_IRRADIANCE,
         studio: address.studio ?? true,
@@ -32,8 +41,8 @@ function sceneOf(address: Address): Scene {
 }
 
 // A drawing of `scene`, asked for any number of times and done once per frame of the display.
-function drawOnDemand(renderer: Renderer, scene: Scene, halfExtent: number): () => void {
-    const stage = new SphereCanvas(renderer, canvas);
+function drawOnDemand(pipelines: SphereViewPipelines, scene: Scene, halfExtent: number): () => void {
+    const stage = new SphereCanvas(pipelines, canvas);
     let asked = false;
     return () => {
         if (asked) {
@@ -42,29 +51,38 @@ function drawOnDemand(renderer: Renderer, scene: Scene, halfExtent: number): () 
         asked = true;
         requestAnimationFrame(async () => {
             asked = false;
-            stage.draw(sphereView(scene, halfExtent));
-            await renderer.device.queue.onSubmittedWorkDone();
+            await stage.draw(sphereView(scene, halfExtent));
+            await pipelines.device.queue.onSubmittedWorkDone();
             document.body.dataset["drawn"] = "true"; // what the tests wait for
         });
     };
 }
 
-function describe(material: Material): void {
+function describe({ material, model: wanted }: Scene): void {
     element("#material-name").textContent = material.name;
-    const { omitted } = material;
+    const model = modelFor(material, wanted);
+    const omitted = omittedBy(material, model);
     notice.textContent =
-        omitted.length === 0 ? "" : `The model “plain” leaves out ${omitted.join(" and ")}.`;
+        omitted.length === 0 ? "" : `The model “${model}” leaves out ${omitted.join(" and ")}.`;
 }
 
 // The page as people see it: materials to choose, sliders, and a light to drag.
-function showInterface(renderer: Renderer, scene: Scene, chosen: string, redraw: () => void): void {
+function showInterface(
+    pipelines: SphereViewPipelines,
+    scene: Scene,
+    chosen: string,
+    redraw: () => void,
+): void {
     const panel = element<HTMLElement>("#controls");
     let removeControls = (): void => {};
     const show = (material: Material): void => {
         scene.material = material;
-        describe(material);
+        describe(scene);
         removeControls();
-        removeControls = showControls(panel, scene, redraw);
+        removeControls = showControls(panel, scene, () => {
+            describe(scene);
+            redraw();
+        });
         redraw();
     };
     for (const name of bundledNames) {
@@ -74,7 +92,7 @@ function showInterface(renderer: Renderer, scene: Scene, chosen: string, redraw:
             show(bundledMaterial(name));
         });
         const view = sphereView({ ...scene, material, light: DEFAULT_LIGHT }, SWATCH_HALF_EXTENT);
-        new SphereCanvas(renderer, small).draw(view);
+        void new SphereCanvas(pipelines, small).draw(view);
         if (name === chosen) {
             markChosen(swatches, button);
         }
@@ -100,17 +118,19 @@ function showInterface(renderer: Renderer, scene: Scene, chosen: string, redraw:
 async function start(): Promise<void> {
     const address = readAddress(location.search);
     const scene = sceneOf(address);
-    const renderer = await createRenderer(await requestDevice());
+    const device = await requestDevice();
+    const format = navigator.gpu.getPreferredCanvasFormat();
+    const pipelines = await SphereViewPipelines.create(device, format);
     if (address.size !== undefined) {
         document.body.classList.add("picture");
         canvas.style.width = canvas.style.height = `${address.size / devicePixelRatio}px`;
         canvas.width = canvas.height = address.size;
-        drawOnDemand(renderer, scene, 1)();
+        drawOnDemand(pipelines, scene, 1)();
         return;
     }
-    const redraw = drawOnDemand(renderer, scene, STAGE_HALF_EXTENT);
-    showInterface(renderer, scene, address.material ?? DEFAULT_MATERIAL, redraw);
-    followSize(renderer.device, canvas, redraw);
+    const redraw = drawOnDemand(pipelines, scene, STAGE_HALF_EXTENT);
+    showInterface(pipelines, scene, address.material ?? DEFAULT_MATERIAL, redraw);
+    followSize(pipelines.device, canvas, redraw);
 }
 
 showUncaughtErrors();

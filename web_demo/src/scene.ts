@@ -1,11 +1,12 @@
 // What the page shows: a material under a light that can be moved.
 import { type Vec3, vec3 } from "wgpu-matrix";
 import type { Material, Rgb } from "./material/material";
-import { packPlain } from "./material/pack";
+import { levelOf, type ModelName, modelFor, packSurface } from "./material/models";
 import type { Light, SphereView } from "./passes/sphere_view";
 
 export interface Scene {
     material: Material;
+    model: ModelName; // for materials that it can shade; "plain" for the others
     light: Vec3; // unit, towards the light
     irradiance: number;
     // Two dim lights from behind trace the sphere's outline.
@@ -33,5 +34,12 @@ function lightsOf({ light, irradiance, studio }: Scene): Light[] {
 }
 
 export function sphereView(scene: Scene, halfExtent: number): SphereView {
-    return { surface: packPlain(scene.material), lights: lightsOf(scene), halfExtent };
+    const { material } = scene;
+    const model = modelFor(material, scene.model);
+    return {
+        level: levelOf(model),
+        surface: packSurface(material, model),
+        lights: lightsOf(scene),
+        halfExtent,
+    };
 }

@@ -1,4 +1,4 @@
-// What the model `plain` shades of a material: its top interface and its base.
+// What the models shade of a material: its top layer and its base.
 
 export type Rgb = [number, number, number];
 
@@ -11,10 +11,17 @@ export interface Microsurface {
     alpha: [number, number];
 }
 
+// `tau` is the transmittance along the normal.
+export interface Medium {
+    tau: Rgb;
+    scatters: boolean;
+}
+
 // `ior` is the absolute index of the medium below.
-export interface Interface {
+export interface Layer {
     ior: number;
     microsurface: Microsurface;
+    medium: Medium;
 }
 
 export interface LambertianBase {
@@ -37,8 +44,10 @@ export interface NoBase {
 export interface Material {
     name: string;
     exteriorIor: number;
-    coat?: Interface;
+    coat?: Layer;
     base: LambertianBase | ConductorBase | NoBase;
-    // What the file describes and `plain` leaves out, in words.
-    omitted: string[];
+    // What the file describes beyond that.
+    layerCount: number;
+    hasMedium: boolean; // in any layer
+    hasDiffuseFacets: boolean; // a base that is not quite Lambertian
 }

@@ -1,7 +1,19 @@
-// Reads material files, as far as the model `plain` shades them: by the rules of the C++ loader.
-import type { ConductorBase, Interface, Material, Microsurface, Rgb } from "./material";
+// Reads material files, as far as the models of one coat shade them: by the rules of the C++ loader.
+import type { ConductorBase, Layer, Material, Medium, Microsurface, Rgb } from "./material";
 import { MaterialError, Place } from "./place";
-import { ALBEDO, ALPHA, CONDUCTOR_ETA, CONDUCTOR_KAPPA, IOR, iorBelow, MAX_LAYERS } from "./ranges";
+import {
+    ALBEDO,
+    ALPHA,
+    ANISOTROPY,
+    CONDUCTOR_ETA,
+    CONDUCTOR_KAPPA,
+    IOR,
+    iorBelow,
+    MAX_LAYERS,
+    SIGMA,
+    TAU,
+    THICKNESS,
+} from "./ranges";
 
 export interface OpticalConstants {
     eta: Rgb;
@@ -21,7 +33,7 @@ function parseJson(text: string, origin: string): Place {
 
 function readMicrosurface(place: Place): Microsurface {
     if (place.find("blend") !== undefined) {
-        place.fail("the model 'plain' cannot shade a blended microsurface");
+        place.fail("this page does not show blended microsurfaces");
     }
     const alpha: Place = place.member("alpha");
     const [x, y = x, ...rest] = alpha.isArray() ? alpha.elements() : [alpha];
@@ -34,7 +46,7 @@ function readMicrosurface(place: Place): Microsurface {
     };
 }
 
-function readInterface(place: Place, iorAbove: number): Interface {
+function readInterface(place: Place, iorAbove: number): Omit<Layer, "medium"> {
     place.expectObject("ior", "alpha", "ndf", "blend");
     const ior = place.member("ior");
     const value = ior.number(IOR);
@@ -43,6 +55,39 @@ function readInterface(place: Place, iorAbove: number): Interface {
         ior.fail(`${value} below ${iorAbove} is a ratio outside [1/3, 3]`);
     }
     return { ior: value, microsurface: readMicrosurface(place) };
+}
+
+function noMedium(): Medium {
+    return { tau: [1, 1, 1], scatters: false };
+}
+
+function absorbsOrScatters({ medium }: Layer): boolean {
+    return medium.scatters || medium.tau.some((tau) => tau < 1);
+}
+
+function readMedium(place: Place): Medium {
+    place.expectObject("tau", "sigma_a", "sigma_s", "g", "thickness");
+    const tau = place.find("tau");
+    const others = ["sigma_a", "sigma_s", "g", "thickness"].filter((key) => place.find(key));
+    if (tau !== undefined) {
+        const [other] = others;
+        if (other !== undefined) {
+            place.member(other).fail(`'${other}' and 'tau' exclude each other: give one`);
+        }
+        return { tau: tau.rgb(TAU), scatters: false };
+    }
+    const sigmaA = place.find("sigma_a")?.rgb(SIGMA);
+    const sigmaS = place.find("sigma_s")?.rgb(SIGMA);
+    if (sigmaA === undefined && sigmaS === undefined) {
+        place.fail("one of 'tau', 'sigma_a' and 'sigma_s' is needed");
+    }
+    place.find("g")?.number(ANISOTROPY);
+    const thickness = place.find("thickness")?.number(THICKNESS) ?? 1;
+    const [r, g, b] = sigmaA ?? [0, 0, 0];
+    return {
+        tau: [Math.exp(-r * thickness), Math.exp(-g * thickness), Math.exp(-b * thickness)],
+        scatters: (sigmaS ?? []).some((sigma) => sigma > 0),
+    };
 }
 
 function findMetal(place: Place, metals: Metals): OpticalConstants {
@@ -63,7 +108,7 @@ function readConductor(place: Place, metals: Metals): ConductorBase {
     return { kind: "conductor", eta, kappa, microsurface };
 }
 
-function readBase(place: Place, metals: Metals, omitted: string[]): Material["base"] {
+function readBase(place: Place, metals: Metals): Material["base"] {
     if (place.isString()) {
         return { kind: place.choice("none") };
     }
@@ -74,7 +119,6 @@ function readBase(place: Place, metals: Metals, omitted: string[]): Material["ba
     }
     const facets = place.find("diffuse_facets");
     if (facets !== undefined) {
-        omitted.push("the roughness of the base");
         return { kind: "lambertian", albedo: facets.member("albedo").rgb(ALBEDO) };
     }
     const lambertian = place.member("lambertian");
@@ -82,41 +126,47 @@ function readBase(place: Place, metals: Metals, omitted: string[]): Material["ba
     return { kind: "lambertian", albedo: lambertian.member("albedo").rgb(ALBEDO) };
 }
 
-function readLayers(place: Place, exteriorIor: number, omitted: string[]): Interface[] {
+function readLayers(place: Place, exteriorIor: number): Layer[] {
     const layers = place.elements();
     if (layers.length > MAX_LAYERS) {
         place.fail(`${layers.length} layers, at most ${MAX_LAYERS} are allowed`);
     }
     let iorAbove = exteriorIor;
-    const interfaces = layers.map((layer) => {
+    return layers.map((layer) => {
         layer.expectObject("interface", "medium");
         const read = readInterface(layer.member("interface"), iorAbove);
         iorAbove = read.ior;
-        return read;
+        const medium = layer.find("medium");
+        return { ...read, medium: medium === undefined ? noMedium() : readMedium(medium) };
     });
-    if (layers.length > 1) {
-        omitted.push("the lower layers");
-    }
-    if (layers.some((layer) => layer.find("medium") !== undefined)) {
-        omitted.push("what the layers absorb and scatter");
-    }
-    return interfaces;
+}
+
+function isDiffuse(base: Place): boolean {
+    return !base.isString() && base.find("diffuse_facets") !== undefined;
 }
 
 // The material that `text` describes; `origin` names it in messages, and where it has no name.
 export function parseMaterial(text: string, origin: string, metals: Metals): Material {
     const root = parseJson(text, origin);
     root.expectObject("$schema", "name", "exterior_ior", "layers", "base");
-    const omitted: string[] = [];
     const exteriorIor = root.find("exterior_ior")?.number(IOR) ?? 1;
-    const layers = root.find("layers");
-    const [coat] = layers === undefined ? [] : readLayers(layers, exteriorIor, omitted);
-    const base = readBase(root.member("base"), metals, omitted);
+    const list = root.find("layers");
+    const layers = list === undefined ? [] : readLayers(list, exteriorIor);
+    const [coat] = layers;
+    const base = readBase(root.member("base"), metals);
     if (coat === undefined && base.kind === "none") {
         root.member("base").fail('"none" without layers leaves nothing to shade');
     }
     const name = root.find("name")?.string() ?? origin;
-    return { name, exteriorIor, ...(coat && { coat }), base, omitted };
+    return {
+        name,
+        exteriorIor,
+        ...(coat && { coat }),
+        base,
+        layerCount: layers.length,
+        hasMedium: layers.some(absorbsOrScatters),
+        hasDiffuseFacets: isDiffuse(root.member("base")),
+    };
 }
 
 // The table of refractive indices, tables/optical_constants.json.

@@ -1,7 +1,16 @@
 // The numbers of the scene on sliders.
 import { Pane, type FolderApi } from "tweakpane";
-import type { Interface, Material, Microsurface, Rgb } from "../material/material";
-import { ALBEDO, ALPHA, CONDUCTOR_ETA, CONDUCTOR_KAPPA, iorBelow, type Range } from "../material/ranges";
+import type { Layer, Material, Microsurface, Rgb } from "../material/material";
+import { type ModelName, modelFor, modelsFor } from "../material/models";
+import {
+    ALBEDO,
+    ALPHA,
+    CONDUCTOR_ETA,
+    CONDUCTOR_KAPPA,
+    iorBelow,
+    type Range,
+    TAU,
+} from "../material/ranges";
 import type { Scene } from "../scene";
 
 const MAX_IRRADIANCE = 30;
@@ -31,10 +40,18 @@ function addMicrosurface(folder: FolderApi, microsurface: Microsurface): void {
     folder.addBinding(microsurface, "ndf", { label: "facets", options: NDF_OPTIONS });
 }
 
-function addCoat(pane: Pane, coat: Interface, exteriorIor: number): void {
+function addCoat(pane: Pane, coat: Layer, exteriorIor: number): void {
     const folder = pane.addFolder({ title: "Coat" });
     folder.addBinding(coat, "ior", slider(iorBelow(exteriorIor), "ior"));
     addMicrosurface(folder, coat.microsurface);
+    addRgb(folder, "tau", coat.medium.tau, TAU);
+}
+
+// The models that can shade the material.
+function addModel(pane: Pane, scene: Scene, chosen: (model: ModelName) => void): void {
+    const state = { model: modelFor(scene.material, scene.model) };
+    const options = Object.fromEntries(modelsFor(scene.material).map((name) => [name, name]));
+    pane.addBinding(state, "model", { options }).on("change", ({ value }) => chosen(value));
 }
 
 function addBase(pane: Pane, base: Material["base"]): void {
@@ -48,9 +65,12 @@ function addBase(pane: Pane, base: Material["base"]): void {
     }
 }
 
-// Fills `container` with the sliders of `scene`; returns what takes them away again.
+// Fills `container` with the model and the sliders of `scene`; returns what takes them away again.
 export function showControls(container: HTMLElement, scene: Scene, changed: () => void): () => void {
     const pane = new Pane({ container });
+    addModel(pane, scene, (model) => {
+        scene.model = model;
+    });
     if (scene.material.coat !== undefined) {
         addCoat(pane, scene.material.coat, scene.material.exteriorIor);
     }
