@@ -1,6 +1,7 @@
 #include "reference/coated_base.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <numbers>
 
 #include "reference/shading.h"
@@ -11,8 +12,11 @@ namespace {
 
 using std::numbers::pi;
 
+// No more than a clear medium lets through, whatever the tables are off by.
 glm::dvec3 transmitted(const CoatedBase& base, const glm::dvec3& w) {
-    return {base.entering[0].at(w.z), base.entering[1].at(w.z), base.entering[2].at(w.z)};
+    const glm::dvec3 entering{base.entering[0].at(w.z), base.entering[1].at(w.z),
+                              base.entering[2].at(w.z)};
+    return glm::min(entering, glm::dvec3{base.clear.at(w.z)});
 }
 
 // One lobe for all channels, so that it is one look-up into prefiltered light. It has the variance
@@ -36,7 +40,12 @@ CoatedBase prepare_coated_base(const Coat& coat, const glm::dvec3& albedo, const
     const auto profile = [&](int channel) {
         return tables.t_down_profile(coat.alpha, coat.eta, tau[channel]);
     };
-    CoatedBase base{shape, {profile(0), profile(1), profile(2)}, {}, {}, {}};
+    CoatedBase base{shape,
+                    {profile(0), profile(1), profile(2)},
+                    tables.t_down_profile(coat.alpha, coat.eta, 1.0),
+                    {},
+                    {},
+                    {}};
     for (int channel = 0; channel < 3; ++channel) {
         const double trapped = albedo[channel] * tables.r_up(coat.alpha, coat.eta, tau[channel]);
         const double reflected = albedo[channel] / (1.0 - trapped);

@@ -25,6 +25,7 @@ enum class BaseLobe {
 struct CoatedBase {
     BaseLobe shape;
     std::array<TransmissionProfile, 3> entering;  // T01 of each channel
+    TransmissionProfile clear;                    // and of a clear medium, which bounds them
     glm::dvec3 returned;
     glm::dvec3 spread;  // of `exact`: rho / (pi eta^2 (1 - rho R10_bar))
     NormalLobe lobe;    // of `ggx`: the variance of its light, all channels and directions together

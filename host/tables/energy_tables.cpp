@@ -112,12 +112,17 @@ TransmissionProfile EnergyTables::t_down_profile(double alpha, double eta, doubl
 
 double EnergyTables::t_down(double cos_theta, double alpha, double eta, double tau) const {
     require("cos_theta", cos_theta, 0.0, 1.0);
-    return t_down_profile(alpha, eta, tau).at(std::clamp(cos_theta, 0.0, 1.0));
+    const double cosine = std::clamp(cos_theta, 0.0, 1.0);
+    return std::min(t_down_profile(alpha, eta, tau).at(cosine),
+                    t_down_profile(alpha, eta, 1.0).at(cosine));
 }
 
 double EnergyTables::t_up(double alpha, double eta, double tau) const {
     // Reciprocity: T10_bar eta^2 = T01_bar, and a path has the same length both ways.
-    return std::min(t_down_profile(alpha, eta, tau).average() / (eta * eta), 1.0);
+    const auto average = [&](double transmittance) {
+        return t_down_profile(alpha, eta, transmittance).average();
+    };
+    return std::min(std::min(average(tau), average(1.0)) / (eta * eta), 1.0);
 }
 
 double EnergyTables::r_up(double alpha, double eta, double tau) const {

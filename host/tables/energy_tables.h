@@ -36,7 +36,8 @@ class EnergyTables {
     // T01 as a function of direction, for shading that meets one interface with many lights.
     TransmissionProfile t_down_profile(double alpha, double eta, double tau) const;
 
-    // T01: light arriving at cos_theta from above that enters and crosses the medium.
+    // T01: light arriving at cos_theta from above that enters and crosses the medium. Neither this
+    // nor t_up exceeds its value for tau 1.
     double t_down(double cos_theta, double alpha, double eta, double tau) const;
 
     // T10_bar: diffuse light that crosses the medium upwards and leaves.

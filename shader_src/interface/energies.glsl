@@ -195,14 +195,21 @@ vec3 lq_interface_dimming(const float alpha, const float eta, const vec3 tau) {
     return lq_interface_dimming_side(LQ_R_UP_DENSE_MAPS, LQ_R_UP_DENSE_ABSORPTION, alpha, eta, tau);
 }
 
+// No channel lets more through than a clear medium, in w: else light would be made where tables are
+// off.
+vec4 lq_no_more_than_clear(const vec4 energy) {
+    return min(energy, vec4(energy.w));
+}
+
 // alpha in [0, 1] of GGX facets; eta = ior below / ior above in [1/3, 3]; tau in [0, 1] per colour
 // channel, the transmittance of the medium along its normal.
 LqInterface lq_interface_prepare(const float alpha, const float eta, const vec3 tau) {
     LqInterface energies;
     energies.transmission = lq_interface_transmission(alpha, eta, tau);
     // Reciprocity: T10_bar eta^2 is the average of T01, and a path has the same length both ways.
-    const vec4 t_up = clamp(lq_direction_energy(energies.transmission) * (2.0 / (eta * eta)),
-                            vec4(0.0), vec4(1.0));
+    const vec4 t_up = lq_no_more_than_clear(
+        clamp(lq_direction_energy(energies.transmission) * (2.0 / (eta * eta)), vec4(0.0),
+              vec4(1.0)));
     energies.t_up = vec3(t_up.x, t_up.y, t_up.z);
     energies.r_up = lq_interface_dimming(alpha, eta, tau) * (1.0 - t_up.w);
     energies.multiple = lq_interface_multiple(alpha, eta);
@@ -212,7 +219,8 @@ LqInterface lq_interface_prepare(const float alpha, const float eta, const vec3 
 
 // T01 of the three channels, and in w of a clear medium; cos_theta in [0, 1].
 vec4 lq_interface_t_down(const LqInterface energies, const float cos_theta) {
-    return clamp(lq_direction_polynomial(energies.transmission, cos_theta), vec4(0.0), vec4(1.0));
+    return lq_no_more_than_clear(clamp(lq_direction_polynomial(energies.transmission, cos_theta),
+                                       vec4(0.0), vec4(1.0)));
 }
 
 // Light reflected after more than one facet, which a single-scattering lobe lacks.

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "backends/expect_light.h"
 #include "backends/jobs.h"
 
 namespace lacquer::test {
@@ -98,34 +98,7 @@ OwnedJob strange_job(Kernel kernel, Model model) {
     return owned;
 }
 
-std::string text(const glm::vec4& v) {
-    return fmt::format(" ({:g}, {:g}, {:g})", v.x, v.y, v.z);
-}
-
-std::string describe(const OwnedJob& owned, std::size_t query) {
-    const std::uint32_t stride = kernel_shape(owned.kernel).input_rows;
-    std::string inputs;
-    for (std::uint32_t row = 0; row < stride; ++row)
-        inputs += text(owned.inputs[query * stride + row]);
-    return fmt::format("{} of{}", owned.materials[query / owned.queries_per_material].name, inputs);
-}
-
 class BackendRobustness : public ::testing::TestWithParam<std::tuple<std::string, Kernel>> {};
-
-// Stops at the fifth, the rest would say no more.
-void expect_no_nan_infinity_or_negative_light(const OwnedJob& owned, const JobResult& result) {
-    const std::uint32_t stride = kernel_shape(owned.kernel).result_rows;
-    int failures = 0;
-    for (std::size_t row = 0; row < result.rows.size(); ++row)
-        for (int c = 0; c < 4; ++c) {
-            const double value = result.rows[row][c];
-            const bool is_direction = owned.kernel == Kernel::sample && row % 2 == 0 && c < 3;
-            if (std::isfinite(value) && (is_direction || value >= 0.0)) continue;
-            ADD_FAILURE() << describe(owned, row / stride) << ": row " << row % stride
-                          << " component " << c << " is " << value;
-            if (++failures == 5) return;
-        }
-}
 
 TEST_P(BackendRobustness, ReturnsNoNanInfinityOrNegativeLight) {
     const auto& [name, kernel] = GetParam();
