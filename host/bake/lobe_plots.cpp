@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "bake/lobe_statistics.h"
-#include "bake/plot.h"
+#include "markup/plot.h"
 
 namespace lacquer::bake {
 

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "bake/lobe_plots.h"
-#include "bake/plot.h"
 #include "bake/report.h"
+#include "markup/plot.h"
 
 namespace lacquer::bake {
 
@@ -154,15 +154,16 @@ constexpr const char* kHead =
 body{font:15px/1.5 system-ui,sans-serif;margin:2em auto;max-width:1200px;padding:0 1em;
 color:var(--ink);background:var(--paper)}
 p{max-width:80ch;color:var(--soft);margin:0 0 10px}section{margin-top:34px}h2{margin:0 0 4px;font-size:21px}
-svg{margin:0 10px 14px 0}svg text{font-size:11px;fill:var(--soft)}svg .title{font-size:13px;
-font-weight:600;fill:var(--ink)}.grid{stroke:var(--line)}.curve{fill:none;stroke-width:1.6}
-table{border-collapse:collapse}td,th{padding:2px 18px 2px 0;text-align:left;border-bottom:1px solid var(--line);
-font-variant-numeric:tabular-nums}</style></head><body><h1>Lacquer: baked tables</h1>)";
+svg{margin:0 10px 14px 0}table{border-collapse:collapse}td,th{padding:2px 18px 2px 0;text-align:left;border-bottom:1px solid var(--line);
+font-variant-numeric:tabular-nums}
+)";
+
+constexpr const char* kTitle = "</style></head><body><h1>Lacquer: baked tables</h1>";
 
 }  // namespace
 
 std::string report_page(const EnergyTables& tables, const BakeRecord& record) {
-    std::string html = kHead;
+    std::string html = std::string{kHead} + kPlotStyle + kTitle;
     html += fmt::format("<p><code>{}</code>, {} walks per node, seed {}; {:.1f} KiB in all.</p>",
                         record.command, record.settings.samples, record.settings.seed,
                         static_cast<double>(tables.bytes()) / 1024.0);

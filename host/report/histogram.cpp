@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/markup.h"
+#include "markup/markup.h"
 
 namespace lacquer {
 

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 #include "core/version.h"
-#include "report/markup.h"
+#include "markup/markup.h"
 #include "report/sections.h"
 #include "report/style.h"
 

@@ -6,7 +6,7 @@
 #include "image/png.h"
 #include "report/heat.h"
 #include "report/histogram.h"
-#include "report/markup.h"
+#include "markup/markup.h"
 #include "report/sections.h"
 
 namespace lacquer {

@@ -9,7 +9,7 @@
 
 #include "image/display.h"
 #include "image/png.h"
-#include "report/markup.h"
+#include "markup/markup.h"
 
 namespace lacquer {
 

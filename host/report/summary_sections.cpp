@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "report/histogram.h"
-#include "report/markup.h"
+#include "markup/markup.h"
 #include "report/sections.h"
 
 namespace lacquer {

@@ -12,7 +12,7 @@
 #include "report/html.h"
 #include "report/json.h"
 #include "report/junit.h"
-#include "report/markup.h"
+#include "markup/markup.h"
 #include "report/text.h"
 #include "support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "report/markup.h"
+#include "markup/markup.h"
 
 #include <openssl/evp.h>
 
