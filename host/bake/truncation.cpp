@@ -10,7 +10,8 @@ constexpr std::size_t kStride = 97;  // of the nodes looked at, which are very m
 
 using Tables = std::array<Table, kTableNames.size()>;
 
-// The table with the coefficients of all but the first functions set to 0.
+}  // namespace
+
 Table truncated(Table table, Contrast contrast, std::size_t absorptions, std::size_t polynomials) {
     const CoefficientCounts& counts = coefficient_counts(contrast);
     for (TableArray& array : table.arrays) {
@@ -23,8 +24,6 @@ Table truncated(Table table, Contrast contrast, std::size_t absorptions, std::si
     }
     return table;
 }
-
-}  // namespace
 
 std::vector<Truncation> truncation_errors(const Tables& tables, std::size_t index,
                                           const Quantity& quantity, const DenseValues& dense) {

@@ -11,6 +11,10 @@
 
 namespace lacquer::bake {
 
+// A table of T01 with the coefficients of all but the first functions set to 0: so many functions
+// of tau, each over at most so many polynomials of cos_theta.
+Table truncated(Table table, Contrast contrast, std::size_t absorptions, std::size_t polynomials);
+
 // Absolute errors on the grid of the dense bake, by the number of functions kept, from 1.
 struct Truncation {
     std::string functions;  // "T01, eta < 1: functions of tau"

@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/material_argument.h"
 #include "cli/options.h"
+#include "cli/study.h"
 #include "core/error.h"
 #include "core/model_scope.h"
 #include "core/progress.h"
@@ -28,7 +29,7 @@ constexpr std::string_view kReferenceName = "reference";
 constexpr std::string_view kDefaultSuite = "default";
 
 constexpr const char* kSummary =
-    "Compare every backend with the reference on slices and spheres of materials";
+    "Compare every backend with the reference, or the models with simulated light";
 
 constexpr const char* kHelp =
     R"(Runs the generated shaders of every language on slices and spheres of every material and
@@ -36,11 +37,16 @@ compares them with the reference in double precision. Prints one line per backen
 errors, its throughput and device. Ends with exit code 1 where a backend is past its tolerance
 or breaks down. Backends that cannot run here are skipped, unless they were named.
 
+With --suite diffuse-interfaces it makes the figures of the paper on rough coats over Lambertian
+bases instead: what simulated light does, what each model makes of it, and how far it is off. Prints
+the errors; --report writes a page with all pictures and curves.
+
 Examples:
   lacquer compare
   lacquer compare --backend vulkan --backend wgsl-wgpu --material gold --report report
   lacquer compare --device nvidia --json > compare.json
-  lacquer compare --update-readme README.md)";
+  lacquer compare --update-readme README.md
+  lacquer compare --suite diffuse-interfaces --report report)";
 
 struct Arguments {
     std::vector<std::string> backends;
@@ -48,6 +54,7 @@ struct Arguments {
     std::string model = "plain";
     std::string suite{kDefaultSuite};
     BackendOptions options;
+    SimulateOptions simulate;
     std::filesystem::path report;
     std::filesystem::path readme;
     bool json = false;
@@ -88,9 +95,6 @@ std::vector<NamedMaterial> chosen_materials(const std::vector<std::string>& name
 }
 
 CompareRequest make_request(const Arguments& arguments) {
-    if (arguments.suite != kDefaultSuite)
-        throw UsageError{
-            fmt::format("--suite: '{}' is not one of: {}", arguments.suite, kDefaultSuite)};
     CompareRequest request;
     request.suite = arguments.suite;
     request.model = model_from_name(arguments.model);
@@ -156,10 +160,16 @@ void add_compare_command(CLI::App& app) {
             ->allow_extra_args(false);
     command->add_option("--model", arguments->model, "How materials are shaded")
         ->capture_default_str();
-    command->add_option("--suite", arguments->suite, "The queries: default")->capture_default_str();
+    command
+        ->add_option("--suite", arguments->suite,
+                     "default (the backends), or the figures of a paper: diffuse-interfaces")
+        ->capture_default_str();
+    add_walk_options(*command, arguments->simulate,
+                     "Walks of light in each simulated picture of a paper's figures "
+                     "(default: 4194304)");
     add_device_options(*command, arguments->options);
     command->add_option("--report", arguments->report,
-                        "Folder for report.html, compare.json, junit.xml and EXR pictures");
+                        "Folder for report.html, the results as JSON, and pictures");
     CLI::Option* json = command->add_flag("--json", arguments->json, "Print JSON");
     command->add_flag("--markdown", arguments->markdown, "Print the accuracy table in Markdown")
         ->excludes(json);
@@ -168,7 +178,14 @@ void add_compare_command(CLI::App& app) {
         ->add_option("--update-readme", arguments->readme,
                      "Replace the accuracy table between its markers in this Markdown file")
         ->excludes(material);
-    command->callback([arguments] { run(*arguments); });
+    command->callback([arguments, command] {
+        const study::Suite* suite = suite_from_name(arguments->suite, std::string{kDefaultSuite});
+        require_suite_options(*command, arguments->suite, suite != nullptr);
+        if (suite != nullptr)
+            run_study_suite(*suite, arguments->simulate, arguments->report, arguments->json);
+        else
+            run(*arguments);
+    });
 }
 
 }  // namespace lacquer

@@ -27,12 +27,32 @@ std::uint8_t level(const Polynomial& polynomial, double x) {
     return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
 }
 
+// Colours of differences at sizes 0, 1/3, 2/3, 1; lightness rises evenly and alike to both sides.
+using Ramp = std::array<std::array<double, 3>, 4>;
+constexpr Ramp kTooLittle{{{0, 0, 0}, {22, 72, 140}, {92, 160, 222}, {226, 242, 255}}};
+constexpr Ramp kTooMuch{{{0, 0, 0}, {140, 48, 18}, {232, 132, 62}, {255, 238, 214}}};
+
+std::uint8_t level(const Ramp& ramp, double size, std::size_t channel) {
+    const double position = size * static_cast<double>(ramp.size() - 1);
+    const auto stop = std::min(static_cast<std::size_t>(position), ramp.size() - 2);
+    const double share = position - static_cast<double>(stop);
+    return static_cast<std::uint8_t>(
+        std::lround((1.0 - share) * ramp[stop][channel] + share * ramp[stop + 1][channel]));
+}
+
 }  // namespace
 
 DisplayColor heat_color(double unit) {
     if (std::isnan(unit)) return kNotANumberColor;
     const double x = std::clamp(unit, 0.0, 1.0);
     return {level(kInferno[0], x), level(kInferno[1], x), level(kInferno[2], x), 255};
+}
+
+DisplayColor difference_color(double unit) {
+    if (std::isnan(unit)) return kNotANumberColor;
+    const double size = std::min(std::abs(unit), 1.0);
+    const Ramp& ramp = unit < 0.0 ? kTooLittle : kTooMuch;
+    return {level(ramp, size, 0), level(ramp, size, 1), level(ramp, size, 2), 255};
 }
 
 }  // namespace lacquer

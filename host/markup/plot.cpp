@@ -132,12 +132,13 @@ std::string svg_of(const Plot& plot) {
         R"(<svg class="plot" viewBox="0 0 {0} {1}" width="{0}" height="{1}" role="img" aria-label="{2}">)",
         kWidth, kHeight, escaped(plot.title));
     svg += axes_of(plot) + backdrop_of(plot);
+    std::string dots;  // over all lines
     std::size_t labelled = 0;
     for (const Curve& curve : plot.curves) {
         if (!curve.label.empty()) ++labelled;
-        svg += curve_of(plot, curve, labelled == 0 ? 0 : labelled - 1);
+        (curve.dots ? dots : svg) += curve_of(plot, curve, labelled == 0 ? 0 : labelled - 1);
     }
-    return svg + "</svg>";
+    return svg + dots + "</svg>";
 }
 
 }  // namespace lacquer

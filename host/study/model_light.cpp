@@ -1,0 +1,62 @@
+#include "study/model_light.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace lacquer::study {
+
+namespace {
+
+constexpr int kPoints = 2048;
+
+// Points that fill the unit cube evenly.
+// Based on: Roberts 2018, The Unreasonable Effectiveness of Quasirandom Sequences
+glm::dvec3 even_point(int index) {
+    constexpr double kGrowth = 1.2207440846057596;  // the root of x^4 = x + 1
+    const auto coordinate = [index](double step) {
+        const double value = 0.5 + index * step;
+        return value - std::floor(value);
+    };
+    return {coordinate(1.0 / kGrowth), coordinate(1.0 / (kGrowth * kGrowth)),
+            coordinate(1.0 / (kGrowth * kGrowth * kGrowth))};
+}
+
+Material over_black(Material material) {
+    material.base = LambertianBase{};
+    return material;
+}
+
+}  // namespace
+
+ModelLight::ModelLight(const Material& material, Model model)
+    : name_{model_name(model)},
+      has_albedo_{reads_tables(model)},
+      shading_{reference::prepare(material, model)},
+      over_black_{reference::prepare(over_black(material), model)} {}
+
+ModelLight::ModelLight(std::string name, std::shared_ptr<const reference::Shading> shading)
+    : name_{std::move(name)}, shading_{std::move(shading)} {}
+
+glm::dvec3 ModelLight::eval(const glm::dvec3& wi, const glm::dvec3& wo) const {
+    return shading_->eval(wi, wo);
+}
+
+glm::dvec3 ModelLight::base(const glm::dvec3& wi, const glm::dvec3& wo) const {
+    return shading_->eval(wi, wo) - over_black_->eval(wi, wo);
+}
+
+reference::Albedo ModelLight::albedo(const glm::dvec3& wo) const {
+    if (has_albedo_) return shading_->albedo(wo);
+    reference::Albedo albedo;
+    glm::dvec3 total{0.0};
+    for (int n = 0; n < kPoints; ++n) {
+        const glm::dvec3 u = even_point(n);
+        total += shading_->sample(wo, u).weight;
+        albedo.base += std::numbers::pi * base(reference::sample_cosine({u.y, u.z}), wo);
+    }
+    albedo.base /= kPoints;
+    albedo.direct = total / double{kPoints} - albedo.base;
+    return albedo;
+}
+
+}  // namespace lacquer::study

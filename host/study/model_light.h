@@ -1,0 +1,38 @@
+// A model's answers as studies ask for them: f, the base's part of it, and directional albedos.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <string>
+
+#include "core/model.h"
+#include "lacquer/material.h"
+#include "reference/models.h"
+
+namespace lacquer::study {
+
+class ModelLight {
+ public:
+    // A material of one coat over a Lambertian base.
+    ModelLight(const Material& material, Model model);
+
+    // A variant of coated-exact or coated-ggx under a name of its own.
+    ModelLight(std::string name, std::shared_ptr<const reference::Shading> shading);
+
+    const std::string& name() const { return name_; }
+
+    glm::dvec3 eval(const glm::dvec3& wi, const glm::dvec3& wo) const;
+
+    // What a black base would take away. Of a model, not of a variant.
+    glm::dvec3 base(const glm::dvec3& wi, const glm::dvec3& wo) const;
+
+    // The model's own albedo where it has a formula; else its integral, to about 0.001.
+    reference::Albedo albedo(const glm::dvec3& wo) const;
+
+ private:
+    std::string name_;
+    bool has_albedo_ = true;  // a formula, not an integral that takes long
+    std::shared_ptr<const reference::Shading> shading_, over_black_;
+};
+
+}  // namespace lacquer::study

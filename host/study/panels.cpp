@@ -1,0 +1,161 @@
+#include "study/panels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "markup/markup.h"
+#include "study/display.h"
+
+namespace lacquer::study {
+
+namespace {
+
+std::string title_html(const std::string& title) {
+    return title.empty() ? "" : fmt::format("<h4>{}</h4>", escaped(title));
+}
+
+std::string picture_html(const Picture& picture, const std::string& what) {
+    if (picture.name.empty()) return "<div></div>";
+    return fmt::format(
+        R"(<figure><img width="{}" height="{}" alt="{}" decoding="async" src="{}">{}</figure>)",
+        picture.numbers.width, picture.numbers.height, escaped(what), png_data_uri(png_of(picture)),
+        picture.note.empty() ? ""
+                             : fmt::format("<figcaption>{}</figcaption>", escaped(picture.note)));
+}
+
+// The largest limit of the pictures, which share one; 0 where none shows differences.
+double limit_of(const PictureTable& table) {
+    double limit = 0.0;
+    for (const PictureRow& row : table.rows)
+        for (const Picture& picture : row.pictures)
+            limit = std::max(limit, picture.limit.value_or(0.0));
+    return limit;
+}
+
+std::string html_of(const PictureTable& table) {
+    std::string cells = "<span></span>";
+    for (const std::string& column : table.columns)
+        cells += fmt::format("<b>{}</b>", escaped(column));
+    for (const PictureRow& row : table.rows) {
+        cells += fmt::format("<span>{}</span>", escaped(row.label));
+        for (std::size_t n = 0; n < row.pictures.size(); ++n)
+            cells += picture_html(row.pictures[n], row.label + ", " + table.columns[n]);
+    }
+    const double limit = limit_of(table);
+    return fmt::format(
+        R"(<div class="panel">{}<div class="pictures" style="--columns:{}">{}</div>{}</div>)",
+        title_html(table.title), table.columns.size(), cells,
+        limit > 0.0 ? difference_legend(limit) : "");
+}
+
+std::string html_of(const Plots& plots) {
+    std::string svg;
+    for (const Plot& plot : plots.plots) svg += svg_of(plot);
+    return fmt::format(R"(<div class="panel">{}<div class="plots">{}</div></div>)",
+                       title_html(plots.title), svg);
+}
+
+std::string html_of(const Maps& maps) {
+    std::string svg;
+    for (const Map& map : maps.maps) {
+        Plot frame = map.frame;
+        frame.backdrop = png_data_uri(png_of(map.picture));
+        svg += fmt::format("<div>{}{}</div>", svg_of(frame),
+                           difference_legend(map.picture.limit.value_or(1.0)));
+    }
+    return fmt::format(R"(<div class="panel">{}<div class="plots">{}</div></div>)",
+                       title_html(maps.title), svg);
+}
+
+std::string html_of(const NumberTable& table) {
+    std::string head, rows;
+    for (const std::string& column : table.columns)
+        head += fmt::format(R"(<th class="num">{}</th>)", escaped(column));
+    for (const auto& row : table.rows) {
+        rows += "<tr>";
+        for (const std::string& cell : row)
+            rows += fmt::format(R"(<td class="num">{}</td>)", escaped(cell));
+        rows += "</tr>\n";
+    }
+    return fmt::format(
+        R"(<div class="panel">{}<div class="scroll"><table><thead><tr>{}</tr></thead><tbody>
+{}</tbody></table></div></div>)",
+        title_html(table.title), head, rows);
+}
+
+template <typename Member>
+std::vector<std::string> names_of(const Figure& figure, Member member) {
+    std::vector<std::string> names;
+    for (const ModelError& error : figure.errors)
+        if (std::ranges::find(names, error.*member) == names.end()) names.push_back(error.*member);
+    return names;
+}
+
+// The least noise of a subject's errors is the simulation's, whoever is compared with it.
+double noise_of(const Figure& figure, const std::string& subject) {
+    double noise = 0.0;
+    for (const ModelError& error : figure.errors)
+        if (error.subject == subject) noise = std::max(noise, error.noise);
+    return noise;
+}
+
+}  // namespace
+
+std::string panel_html(const Panel& panel) {
+    return std::visit([](const auto& one) { return html_of(one); }, panel);
+}
+
+std::vector<std::string> subjects_of(const Figure& figure) {
+    return names_of(figure, &ModelError::subject);
+}
+
+std::vector<std::string> models_of(const Figure& figure) {
+    return names_of(figure, &ModelError::model);
+}
+
+const ModelError* find_error(const Figure& figure, const std::string& subject,
+                             const std::string& model) {
+    const auto found = std::ranges::find_if(figure.errors, [&](const ModelError& error) {
+        return error.subject == subject && error.model == model;
+    });
+    return found == figure.errors.end() ? nullptr : &*found;
+}
+
+std::string error_cell(double mean, const std::string& below, const std::string& detail) {
+    // From green at kSmall to red at kLarge.
+    constexpr double kSmall = 0.003, kLarge = 0.3, kGoodHue = 155.0, kBadHue = 4.0;
+    const double place =
+        std::clamp(std::log(std::max(mean, kSmall) / kSmall) / std::log(kLarge / kSmall), 0.0, 1.0);
+    return fmt::format(R"(<td class="num margin" style="--hue:{:.0f}" title="{}">{:.4f}{}</td>)",
+                       kGoodHue + place * (kBadHue - kGoodHue), escaped(detail), mean,
+                       below.empty() ? "" : fmt::format("<small>{}</small>", escaped(below)));
+}
+
+std::string errors_html(const Figure& figure) {
+    if (figure.errors.empty()) return {};
+    const std::vector<std::string> subjects = subjects_of(figure);
+    std::string head = "<th></th>", rows, noise = "<tr><th>noise of the mean</th>";
+    for (const std::string& subject : subjects) {
+        head += fmt::format(R"(<th class="num">{}</th>)", escaped(subject));
+        noise += fmt::format(R"(<td class="num">{:.4f}</td>)", noise_of(figure, subject));
+    }
+    for (const std::string& model : models_of(figure)) {
+        rows += fmt::format("<tr><th>{}</th>", escaped(model));
+        for (const std::string& subject : subjects) {
+            const ModelError* error = find_error(figure, subject, model);
+            rows += error == nullptr
+                        ? R"(<td class="num none">–</td>)"
+                        : error_cell(error->mean, fmt::format("max {:.3g}", error->max),
+                                     "largest at " + error->where);
+        }
+        rows += "</tr>\n";
+    }
+    return fmt::format(
+        R"(<div class="panel"><h4>Errors: {}</h4><div class="scroll"><table class="errors"><thead>
+<tr>{}</tr></thead><tbody>{}{}</tr></tbody></table></div></div>)",
+        escaped(figure.measure), head, rows, noise);
+}
+
+}  // namespace lacquer::study

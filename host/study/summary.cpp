@@ -1,0 +1,64 @@
+#include "study/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/table.h"
+#include "study/panels.h"
+
+namespace lacquer::study {
+
+std::vector<std::string> common_models(const StudyResult& result) {
+    std::vector<std::pair<std::string, int>> counts;
+    for (const Figure& figure : result.figures)
+        for (const std::string& model : models_of(figure)) {
+            const auto found =
+                std::ranges::find(counts, model, &std::pair<std::string, int>::first);
+            if (found == counts.end())
+                counts.emplace_back(model, 1);
+            else
+                ++found->second;
+        }
+    std::vector<std::string> models;
+    for (const auto& [model, count] : counts)
+        if (count > 1) models.push_back(model);
+    return models;
+}
+
+std::optional<ModelError> overall_error(const Figure& figure, const std::string& model) {
+    std::optional<ModelError> overall;
+    double count = 0.0;
+    for (const ModelError& error : figure.errors) {
+        if (error.model != model) continue;
+        const double mean = overall ? overall->mean : 0.0, noise = overall ? overall->noise : 0.0;
+        if (!overall || error.max > overall->max) overall = error;
+        overall->mean = mean + error.mean;
+        overall->noise = noise + error.noise;
+        ++count;
+    }
+    if (!overall) return std::nullopt;
+    overall->mean /= count;
+    overall->noise /= count;
+    return overall;
+}
+
+std::string summary_text(const StudyResult& result) {
+    std::vector<std::vector<std::string>> rows;
+    for (const Figure& figure : result.figures)
+        for (const std::string& model : models_of(figure)) {
+            const ModelError error = *overall_error(figure, model);
+            rows.push_back({figure.id, model, fmt::format("{:.4f}", error.mean),
+                            fmt::format("{:.4f}", error.noise), fmt::format("{:.4f}", error.max),
+                            fmt::format("{}: {}", error.subject, error.where)});
+        }
+    return format_table({{"figure"},
+                         {"model"},
+                         {"mean error", Align::right},
+                         {"noise", Align::right},
+                         {"max", Align::right},
+                         {"largest at"}},
+                        rows);
+}
+
+}  // namespace lacquer::study
