@@ -13,38 +13,55 @@ namespace lacquer {
 namespace {
 
 constexpr double kWidth = 380, kHeight = 260;
-constexpr double kLeft = 46, kRight = 92, kTop = 26, kBottom = 36;  // margins
+constexpr double kLeft = 54, kRight = 92, kTop = 26, kBottom = 36;  // margins
 constexpr double kDotRadius = 2.3;
 constexpr std::array<const char*, 7> kColors{"#3a86c8", "#d4573f", "#3ba35a", "#9a63b5",
                                              "#c08a10", "#46a0a3", "#80807c"};
 
 // One axis: a value's place between its ends, in [0, 1].
-struct Scale {
-    double from, to;
-    bool logarithmic;
+class Scale {
+ public:
+    Scale(double low, double high, bool is_logarithmic)
+        : from_{low}, to_{high}, logarithmic_{is_logarithmic} {}
 
     double place(double value) const {
-        if (!logarithmic) return (value - from) / (to - from);
-        return std::log(std::max(value, from) / from) / std::log(to / from);
+        if (!logarithmic_) return (value - from_) / (to_ - from_);
+        return std::log(std::max(value, from_) / from_) / std::log(to_ / from_);
     }
 
     std::vector<double> ticks() const {
         std::vector<double> values;
-        if (!logarithmic) {
-            constexpr int kTicks = 5;
-            for (int tick = 0; tick <= kTicks; ++tick)
-                values.push_back(from + (to - from) * tick / kTicks);
+        if (!logarithmic_) {
+            const double step = tick_step();
+            const auto count = static_cast<int>(std::floor((to_ - from_) / step + kRounding));
+            for (int tick = 0; tick <= count; ++tick) values.push_back(from_ + tick * step);
             return values;
         }
-        constexpr double kRounding = 1e-9;
-        for (double decade = std::pow(10.0, std::floor(std::log10(from))); decade <= to;
-             decade *= 10.0)
-            for (const double digit : {1.0, 2.0, 5.0})
-                if (const double value = digit * decade;
-                    value >= from * (1.0 - kRounding) && value <= to * (1.0 + kRounding))
-                    values.push_back(value);
+        const bool only_decades = to_ / from_ > 101.0;
+        for (int power = -12; power <= 12; ++power)
+            for (const double digit : {1.0, 2.0, 5.0}) {
+                const double value = digit * std::pow(10.0, power);
+                const bool is_inside =
+                    value >= from_ * (1.0 - kRounding) && value <= to_ * (1.0 + kRounding);
+                if (is_inside && !(only_decades && digit > 1.0)) values.push_back(value);
+            }
         return values;
     }
+
+ private:
+    static constexpr double kRounding = 1e-9;
+
+    // 1, 2, 2.5 or 5 times a power of ten, for four to seven steps.
+    double tick_step() const {
+        const double decade = std::pow(10.0, std::floor(std::log10((to_ - from_) / 4.0)));
+        double step = decade;
+        for (const double digit : {2.0, 2.5, 5.0})
+            if (digit * decade <= (to_ - from_) / 4.0) step = digit * decade;
+        return step;
+    }
+
+    double from_, to_;
+    bool logarithmic_;
 };
 
 Scale x_scale(const Plot& plot) {
@@ -68,11 +85,11 @@ std::string axes_of(const Plot& plot) {
     std::string svg;
     for (const double x : x_scale(plot).ticks())
         svg += fmt::format(
-            R"(<path class="grid" d="M{0:.1f} {1}V{2}"/><text x="{0:.1f}" y="{3}" text-anchor="middle">{4:.2g}</text>)",
+            R"(<path class="grid" d="M{0:.1f} {1}V{2}"/><text x="{0:.1f}" y="{3}" text-anchor="middle">{4:.3g}</text>)",
             x_of(plot, x), kTop, kHeight - kBottom, kHeight - kBottom + 14, x);
     for (const double y : y_scale(plot).ticks())
         svg += fmt::format(
-            R"(<path class="grid" d="M{0} {1:.1f}H{2}"/><text x="{3}" y="{4:.1f}" text-anchor="end">{5:.2g}</text>)",
+            R"(<path class="grid" d="M{0} {1:.1f}H{2}"/><text x="{3}" y="{4:.1f}" text-anchor="end">{5:.3g}</text>)",
             kLeft, y_of(plot, y), kWidth - kRight, kLeft - 5, y_of(plot, y) + 4, y);
     svg +=
         fmt::format(R"(<text x="{}" y="16" class="title">{}</text>)", kLeft, escaped(plot.title));

@@ -8,9 +8,7 @@
 namespace lacquer::study {
 
 ErrorTally::ErrorTally(std::string subject, std::string model, double sure_errors)
-    : error_{std::move(subject), std::move(model)}, sure_errors_{sure_errors} {
-    error_.max = -1.0;
-}
+    : error_{std::move(subject), std::move(model)}, sure_errors_{sure_errors} {}
 
 bool ErrorTally::count(double difference, double standard_error, double weight) {
     // The mean of |noise| where noise is normal.

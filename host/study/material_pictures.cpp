@@ -11,19 +11,6 @@ namespace {
 constexpr std::array kCompared{Model::coated_exact, Model::coated_ggx,      Model::openpbr_coat,
                                Model::clearcoat,    Model::weidlich_wilkie, Model::plain};
 
-// "eta 0.8, alpha 0.1" and "sphere" become "eta_0.8_alpha_0.1_sphere".
-std::string file_name(const std::string& material, const std::string& view,
-                      const std::string& what) {
-    std::string name;
-    for (const char c : material + " " + view + " " + what) {
-        if (c == ' ' || c == '/')
-            name += '_';
-        else if (c != ',' && c != '(' && c != ')')
-            name += c;
-    }
-    return name;
-}
-
 std::string error_note(const ModelError& error) {
     return fmt::format("{:.1f} % off", 100.0 * error.mean);
 }
@@ -35,18 +22,18 @@ struct Rows {
 Rows rows_of(Figure& figure, const Material& material, const View& view, const Radiance& truth,
              std::span<const ModelLight> compared) {
     const std::string subject = picture_subject(material, view);
-    Rows rows{{view.name, {}}, {"difference", {}}};
+    Rows rows{{view.label, {}}, {"difference", {}}};
     rows.pictures.pictures.push_back(
-        radiance_picture(view, truth, file_name(material.name, view.name, "simulation")));
+        radiance_picture(view, truth, picture_name(material, view, "simulation")));
     rows.differences.pictures.push_back({});
     for (const ModelLight& model : compared) {
         const Radiance radiance = shade(view, model);
         figure.errors.push_back(picture_error(view, radiance, truth, subject, model.name()));
         rows.pictures.pictures.push_back(
-            radiance_picture(view, radiance, file_name(material.name, view.name, model.name())));
+            radiance_picture(view, radiance, picture_name(material, view, model.name())));
         rows.differences.pictures.push_back(
             difference_picture(view, radiance, truth, kDifferenceLimit,
-                               file_name(material.name, view.name, model.name() + " difference")));
+                               picture_name(material, view, model.name() + " difference")));
         rows.differences.pictures.back().note = error_note(figure.errors.back());
     }
     return rows;
@@ -66,6 +53,17 @@ std::span<const Model> compared_models() {
 
 std::string picture_subject(const Material& material, const View& view) {
     return fmt::format("{}: {}", material.name, view.name);
+}
+
+std::string picture_name(const Material& material, const View& view, const std::string& what) {
+    std::string name;
+    for (const char c : material.name + " " + view.name + " " + what) {
+        if (c == ' ' || c == '/')
+            name += '_';
+        else if (c != ',')
+            name += c;
+    }
+    return name;
 }
 
 void add_material(Figure& figure, const Material& material, std::span<const View> views,

@@ -23,6 +23,9 @@ std::span<const Model> compared_models();
 // What the errors of a view of a material are listed under.
 std::string picture_subject(const Material& material, const View& view);
 
+// The name of a picture's files: "eta_0.8_alpha_0.1_sphere_plain".
+std::string picture_name(const Material& material, const View& view, const std::string& what);
+
 // Adds a table of pictures to the figure: one column for the simulation `truth` (one of each view)
 // and one for each model, two rows for each view, pictures and differences; and the errors.
 void add_material(Figure& figure, const Material& material, std::span<const View> views,

@@ -37,6 +37,12 @@ ModelLight::ModelLight(const Material& material, Model model)
 ModelLight::ModelLight(std::string name, std::shared_ptr<const reference::Shading> shading)
     : name_{std::move(name)}, shading_{std::move(shading)} {}
 
+ModelLight ModelLight::integrated(const Material& material, Model model) {
+    ModelLight light{material, model};
+    light.has_albedo_ = false;
+    return light;
+}
+
 glm::dvec3 ModelLight::eval(const glm::dvec3& wi, const glm::dvec3& wo) const {
     return shading_->eval(wi, wo);
 }

@@ -16,6 +16,9 @@ class ModelLight {
     // A material of one coat over a Lambertian base.
     ModelLight(const Material& material, Model model);
 
+    // The same, its albedo always the integral of its lobes.
+    static ModelLight integrated(const Material& material, Model model);
+
     // A variant of coated-exact or coated-ggx under a name of its own.
     ModelLight(std::string name, std::shared_ptr<const reference::Shading> shading);
 
@@ -29,9 +32,12 @@ class ModelLight {
     // The model's own albedo where it has a formula; else its integral, to about 0.001.
     reference::Albedo albedo(const glm::dvec3& wo) const;
 
+    // Whether that is a formula, which takes no time.
+    bool has_albedo() const { return has_albedo_; }
+
  private:
     std::string name_;
-    bool has_albedo_ = true;  // a formula, not an integral that takes long
+    bool has_albedo_ = true;
     std::shared_ptr<const reference::Shading> shading_, over_black_;
 };
 

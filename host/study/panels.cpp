@@ -136,10 +136,12 @@ std::string error_cell(double mean, const std::string& below, const std::string&
 std::string errors_html(const Figure& figure) {
     if (figure.errors.empty()) return {};
     const std::vector<std::string> subjects = subjects_of(figure);
-    std::string head = "<th></th>", rows, noise = "<tr><th>noise of the mean</th>";
+    std::string head = "<th></th>", rows, noise = "<tr><th>what noise makes of the mean</th>";
     for (const std::string& subject : subjects) {
         head += fmt::format(R"(<th class="num">{}</th>)", escaped(subject));
-        noise += fmt::format(R"(<td class="num">{:.4f}</td>)", noise_of(figure, subject));
+        const double of_mean = noise_of(figure, subject);
+        noise += of_mean > 0.0 ? fmt::format(R"(<td class="num">{:.4f}</td>)", of_mean)
+                               : R"(<td class="num none">–</td>)";
     }
     for (const std::string& model : models_of(figure)) {
         rows += fmt::format("<tr><th>{}</th>", escaped(model));

@@ -22,23 +22,24 @@ constexpr double kEnvironment = 0.3;  // fills the shadow without hiding the ter
 // Directional albedos of isotropic surfaces over cos_theta_o: some models take long for each.
 class AlbedoCurve {
  public:
-    explicit AlbedoCurve(const ModelLight& model) : values_(kNodes) {
-        tbb::parallel_for(0, kNodes, [&](int node) {
-            const double z = std::max(double(node) / (kNodes - 1), kGrazing);
+    explicit AlbedoCurve(const ModelLight& model)
+        : values_(model.has_albedo() ? kManyNodes : kFewNodes) {
+        tbb::parallel_for(std::size_t{0}, values_.size(), [&](std::size_t node) {
+            const double z = std::max(double(node) / double(values_.size() - 1), kGrazing);
             const auto albedo = model.albedo({std::sqrt(1.0 - z * z), 0.0, z});
-            values_[static_cast<std::size_t>(node)] = albedo.direct + albedo.base;
+            values_[node] = albedo.direct + albedo.base;
         });
     }
 
     glm::dvec3 at(double cos_theta) const {
-        const double position = std::clamp(cos_theta, 0.0, 1.0) * (kNodes - 1);
+        const double position = std::clamp(cos_theta, 0.0, 1.0) * double(values_.size() - 1);
         const auto node = std::min(static_cast<std::size_t>(position), values_.size() - 2);
         const double share = position - static_cast<double>(node);
         return (1.0 - share) * values_[node] + share * values_[node + 1];
     }
 
  private:
-    static constexpr int kNodes = 129;
+    static constexpr std::size_t kManyNodes = 257, kFewNodes = 49;
     static constexpr double kGrazing = 1e-3;
 
     std::vector<glm::dvec3> values_;
@@ -55,12 +56,13 @@ double angle_deg(float cos_theta) {
 }  // namespace
 
 View sphere_view() {
-    return {"sphere", sphere_grid("sphere", default_light(), kSphereSize), kEnvironment};
+    return {"sphere", "sphere", sphere_grid("sphere", default_light(), kSphereSize), kEnvironment};
 }
 
 View slice_view(double theta_o_deg) {
     const std::string name = fmt::format("slice {}", theta_o_deg);
-    return {name, slice_grid(name, direction_at(theta_o_deg), kSliceSize), 0.0};
+    return {name, fmt::format("slice, {}°", theta_o_deg),
+            slice_grid(name, direction_at(theta_o_deg), kSliceSize), 0.0};
 }
 
 Radiance shade(const View& view, const ModelLight& model) {

@@ -16,7 +16,8 @@
 namespace lacquer::study {
 
 struct View {
-    std::string name;  // "sphere", "slice 45"
+    std::string name;   // of its files: "sphere", "slice 45"
+    std::string label;  // for people
     QueryGrid grid;
     double environment = 0.0;  // radiance from everywhere
 };

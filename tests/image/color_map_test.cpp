@@ -48,5 +48,23 @@ TEST(HeatColor, ShowsWhatIsNotANumberInAColourOfItsOwn) {
     for (int i = 0; i <= 255; ++i) EXPECT_NE(heat_color(i / 255.0), kNotANumberColor);
 }
 
+TEST(DifferenceColor, GrowsLighterToBothSides) {
+    constexpr int kSteps = 64;
+    for (int i = 0; i < kSteps; ++i)
+        for (const double side : {-1.0, 1.0})
+            EXPECT_LT(lightness(difference_color(side * i / kSteps)),
+                      lightness(difference_color(side * (i + 1) / kSteps)))
+                << side * i;
+}
+
+TEST(DifferenceColor, TellsTooLittleFromTooMuch) {
+    const DisplayColor less = difference_color(-0.5), more = difference_color(0.5);
+    EXPECT_GT(less.b, less.r);
+    EXPECT_GT(more.r, more.b);
+    EXPECT_EQ(difference_color(0.0), (DisplayColor{0, 0, 0, 255}));
+    EXPECT_EQ(difference_color(-7.0), difference_color(-1.0));
+    EXPECT_EQ(difference_color(std::nan("")), kNotANumberColor);
+}
+
 }  // namespace
 }  // namespace lacquer

@@ -26,9 +26,9 @@ struct LobeCase {
 };
 
 // Smooth to rough, below and above 1.
-constexpr LobeCase kCases[] = {{0.6, 0.05, 1.0}, {0.8, 0.05, 1.0}, {0.8, 0.3, 1.0},
-                               {0.9, 0.05, 0.3}, {1.5, 0.05, 1.0}, {1.5, 0.3, 0.3},
-                               {2.0, 0.6, 0.3}};
+constexpr LobeCase kCases[] = {{0.6, 0.05, 1.0}, {0.6, 0.3, 1.0},  {0.8, 0.05, 1.0},
+                               {0.8, 0.3, 1.0},  {0.9, 0.05, 1.0}, {0.9, 0.05, 0.3},
+                               {1.5, 0.05, 1.0}, {1.5, 0.3, 0.3},  {2.0, 0.6, 0.3}};
 
 // Shares of the light in rings of equal cos_theta_i.
 struct Lobe {
@@ -39,7 +39,7 @@ constexpr int kLobeRings = kBins * kRingsPerBin;
 
 Lobe simulated_lobe(const Material& material, const StudyRun& run) {
     const BaseLight light = simulate_base_light(simulator::StackWalk{material}, 1.0, kLobeRings,
-                                                run.options(run.samples, "lobe " + material.name));
+                                                run.options(run.share(2), "lobe " + material.name));
     Lobe lobe;
     for (const simulator::RgbEstimate& ring : light.rings) {
         lobe.shares.push_back(ring.mean[0] / light.base.mean[0]);
@@ -113,7 +113,7 @@ Plot lobe_plot(const LobeCase& at, const StudyRun& run, Figure& figure) {
         if (is_shown) plot.curves.push_back(density_curve(model.name(), lobe));
     }
     for (const Curve& curve : plot.curves)
-        plot.y_to = std::max(plot.y_to, 1.08 * *std::ranges::max_element(curve.y));
+        plot.y_to = std::max(plot.y_to, 1.02 * *std::ranges::max_element(curve.y));
     return plot;
 }
 

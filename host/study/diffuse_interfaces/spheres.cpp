@@ -110,13 +110,13 @@ Figure validation_figure(const StudyRun& run) {
 Figure multiple_scattering_figure(const StudyRun& run) {
     Figure figure{
         "figure-8", "Figure 8: light that goes back and forth below the coat",
-        "Weidlich and Wilkie let light cross the coat once each way. What the coat reflects back "
-        "to "
-        "the base is lost to them, half of all light at eta 1.5, and with it the colour's depth: "
-        "each return to the base multiplies by its albedo once more. That their sphere is no "
-        "darker "
-        "is because they also leave out that refraction compresses the solid angle, by eta "
-        "squared.",
+        "Weidlich and Wilkie let light cross the coat once each way. What the coat sends back down "
+        "to the base, six tenths of it at eta 1.5, is lost to them, and with it the colour's "
+        "depth: "
+        "each return multiplies by the base's albedo once more. Their sphere is no darker for it, "
+        "because they also leave out that refraction spreads the light that leaves over eta "
+        "squared "
+        "times the solid angle. openpbr-coat has the depth, and loses light at grazing angles.",
         kMeasure};
     const Material material = coated(1.5, 0.3, {0.95, 0.55, 0.2});
     add_coated(figure, material, run);
@@ -139,7 +139,11 @@ Figure absorption_figure(const StudyRun& run) {
         "Paths through the coat are longer at grazing angles, so that a medium that absorbs tints "
         "the edges more than the middle. The second material has a clear medium, and the albedo "
         "that "
-        "matches the first at cos_theta 0.1: an albedo alone gives one hue everywhere.",
+        "matches the first at cos_theta 0.1: with an albedo alone the middle is as deep as the "
+        "edge. "
+        "clearcoat and plain know no absorption, openpbr-coat and weidlich-wilkie too little of "
+        "it: "
+        "light that goes back and forth crosses the medium more than twice.",
         kMeasure};
     const Material tinted = coated(1.3, 0.1, {0.95, 0.95, 0.95}, {0.97, 0.75, 0.45});
     add_coated(figure, tinted, run);
