@@ -70,8 +70,7 @@ Finding probe_program(const std::string& name, const std::optional<std::filesyst
 
 Finding probe_data() {
     try {
-        share_file("shaders/manifest.json");
-        share_file("materials");
+        for (const char* part : {"shaders/manifest.json", "materials", "tables"}) share_file(part);
         return {"data", true, share_folder().string(), ""};
     } catch (const Error& error) {
         return {"data", false, error.what(), "build the target lacquer_program, or reinstall"};
