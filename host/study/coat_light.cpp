@@ -18,7 +18,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr int kSphereViewers = 64;
 constexpr double kGrazing = 1e-3;               // least cos_theta_o of a viewer
-constexpr std::uint64_t kPixelShare = 1 << 15;  // walks of the coat's light per pixel
+constexpr std::uint64_t kPixelShare = 1 << 14;  // walks of the coat's light per pixel
 
 struct Estimate {
     glm::dvec3 value{0.0}, error{0.0};  // and its standard error
@@ -130,6 +130,23 @@ Estimate coat_density(const simulator::SurfaceWalk& coat, const glm::dvec3& wi,
             glm::dvec3{scale * moments.standard_error(count)}};
 }
 
+// Which query each takes its estimate from: itself, but in a slice, where the viewer is in the
+// plane y = 0, the lower half mirrors the upper.
+std::vector<std::size_t> estimated_queries(const QueryGrid& grid) {
+    std::vector<std::size_t> sources(grid.query_count());
+    std::vector<std::size_t> query_of_pixel(static_cast<std::size_t>(grid.width) *
+                                            static_cast<std::size_t>(grid.height));
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const auto width = static_cast<std::uint32_t>(grid.width);
+        const auto height = static_cast<std::uint32_t>(grid.height);
+        const std::uint32_t row = grid.pixels[i] / width, column = grid.pixels[i] % width;
+        query_of_pixel[grid.pixels[i]] = i;
+        const bool is_mirrored = grid.kernel == Kernel::slice && row > height - 1 - row;
+        sources[i] = is_mirrored ? query_of_pixel[(height - 1 - row) * width + column] : i;
+    }
+    return sources;
+}
+
 }  // namespace
 
 BaseLight simulate_base_light(const simulator::StackWalk& stack, double cos_theta_o, int rings,
@@ -150,7 +167,7 @@ Radiance simulate(const View& view, const Material& material, const StudyRun& ru
     const std::uint64_t seed = run.seed_of(material.name + view.name + "coat");
     const std::size_t count = view.grid.query_count();
     Radiance radiance{std::vector<glm::dvec3>(count), std::vector<glm::dvec3>(count)};
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    const auto estimate = [&](std::size_t i) {
         const Query query = query_of(view.grid, i);
         const glm::dvec3 wi = glm::normalize(glm::dvec3{query.wi});
         const glm::dvec3 wo = glm::normalize(glm::dvec3{query.wo});
@@ -162,7 +179,15 @@ Radiance simulate(const View& view, const Material& material, const StudyRun& ru
             light = independent_sum(light, view.environment * viewers.albedo(wo.z));
         radiance.values[i] = light.value;
         radiance.errors[i] = light.error;
+    };
+    const std::vector<std::size_t> sources = estimated_queries(view.grid);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+        if (sources[i] == i) estimate(i);
     });
+    for (std::size_t i = 0; i < count; ++i) {
+        radiance.values[i] = radiance.values[sources[i]];
+        radiance.errors[i] = radiance.errors[sources[i]];
+    }
     return radiance;
 }
 

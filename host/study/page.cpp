@@ -9,6 +9,7 @@
 #include "markup/plot.h"
 #include "report/html.h"
 #include "report/style.h"
+#include "study/errors.h"
 #include "study/panels.h"
 #include "study/style.h"
 #include "study/summary.h"

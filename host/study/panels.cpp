@@ -7,6 +7,7 @@
 
 #include "markup/markup.h"
 #include "study/display.h"
+#include "study/errors.h"
 
 namespace lacquer::study {
 
@@ -85,42 +86,10 @@ std::string html_of(const NumberTable& table) {
         title_html(table.title), head, rows);
 }
 
-template <typename Member>
-std::vector<std::string> names_of(const Figure& figure, Member member) {
-    std::vector<std::string> names;
-    for (const ModelError& error : figure.errors)
-        if (std::ranges::find(names, error.*member) == names.end()) names.push_back(error.*member);
-    return names;
-}
-
-// The least noise of a subject's errors is the simulation's, whoever is compared with it.
-double noise_of(const Figure& figure, const std::string& subject) {
-    double noise = 0.0;
-    for (const ModelError& error : figure.errors)
-        if (error.subject == subject) noise = std::max(noise, error.noise);
-    return noise;
-}
-
 }  // namespace
 
 std::string panel_html(const Panel& panel) {
     return std::visit([](const auto& one) { return html_of(one); }, panel);
-}
-
-std::vector<std::string> subjects_of(const Figure& figure) {
-    return names_of(figure, &ModelError::subject);
-}
-
-std::vector<std::string> models_of(const Figure& figure) {
-    return names_of(figure, &ModelError::model);
-}
-
-const ModelError* find_error(const Figure& figure, const std::string& subject,
-                             const std::string& model) {
-    const auto found = std::ranges::find_if(figure.errors, [&](const ModelError& error) {
-        return error.subject == subject && error.model == model;
-    });
-    return found == figure.errors.end() ? nullptr : &*found;
 }
 
 std::string error_cell(double mean, const std::string& below, const std::string& detail) {
@@ -135,7 +104,7 @@ std::string error_cell(double mean, const std::string& below, const std::string&
 
 std::string errors_html(const Figure& figure) {
     if (figure.errors.empty()) return {};
-    const std::vector<std::string> subjects = subjects_of(figure);
+    const std::vector<std::string> subjects = error_subjects(figure);
     std::string head = "<th></th>", rows, noise = "<tr><th>what noise makes of the mean</th>";
     for (const std::string& subject : subjects) {
         head += fmt::format(R"(<th class="num">{}</th>)", escaped(subject));
@@ -143,7 +112,7 @@ std::string errors_html(const Figure& figure) {
         noise += of_mean > 0.0 ? fmt::format(R"(<td class="num">{:.4f}</td>)", of_mean)
                                : R"(<td class="num none">–</td>)";
     }
-    for (const std::string& model : models_of(figure)) {
+    for (const std::string& model : error_models(figure)) {
         rows += fmt::format("<tr><th>{}</th>", escaped(model));
         for (const std::string& subject : subjects) {
             const ModelError* error = find_error(figure, subject, model);

@@ -15,12 +15,4 @@ std::string errors_html(const Figure& figure);
 // A table cell of an error, coloured by its size; `detail` shows when pointed at.
 std::string error_cell(double mean, const std::string& below, const std::string& detail);
 
-// What a figure's errors name, each once, in order.
-std::vector<std::string> subjects_of(const Figure& figure);
-std::vector<std::string> models_of(const Figure& figure);
-
-// nullptr where the model was not measured on the subject.
-const ModelError* find_error(const Figure& figure, const std::string& subject,
-                             const std::string& model);
-
 }  // namespace lacquer::study

@@ -5,14 +5,14 @@
 #include <algorithm>
 
 #include "core/table.h"
-#include "study/panels.h"
+#include "study/errors.h"
 
 namespace lacquer::study {
 
 std::vector<std::string> common_models(const StudyResult& result) {
     std::vector<std::pair<std::string, int>> counts;
     for (const Figure& figure : result.figures)
-        for (const std::string& model : models_of(figure)) {
+        for (const std::string& model : error_models(figure)) {
             const auto found =
                 std::ranges::find(counts, model, &std::pair<std::string, int>::first);
             if (found == counts.end())
@@ -26,27 +26,10 @@ std::vector<std::string> common_models(const StudyResult& result) {
     return models;
 }
 
-std::optional<ModelError> overall_error(const Figure& figure, const std::string& model) {
-    std::optional<ModelError> overall;
-    double count = 0.0;
-    for (const ModelError& error : figure.errors) {
-        if (error.model != model) continue;
-        const double mean = overall ? overall->mean : 0.0, noise = overall ? overall->noise : 0.0;
-        if (!overall || error.max > overall->max) overall = error;
-        overall->mean = mean + error.mean;
-        overall->noise = noise + error.noise;
-        ++count;
-    }
-    if (!overall) return std::nullopt;
-    overall->mean /= count;
-    overall->noise /= count;
-    return overall;
-}
-
 std::string summary_text(const StudyResult& result) {
     std::vector<std::vector<std::string>> rows;
     for (const Figure& figure : result.figures)
-        for (const std::string& model : models_of(figure)) {
+        for (const std::string& model : error_models(figure)) {
             const ModelError error = *overall_error(figure, model);
             rows.push_back({figure.id, model, fmt::format("{:.4f}", error.mean),
                             fmt::format("{:.4f}", error.noise), fmt::format("{:.4f}", error.max),

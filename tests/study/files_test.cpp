@@ -6,6 +6,7 @@
 
 #include "core/file.h"
 #include "image/image_file.h"
+#include "study/errors.h"
 #include "study/folder.h"
 #include "study/json.h"
 #include "study/page.h"
