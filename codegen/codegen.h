@@ -66,11 +66,11 @@ struct ShaderFile {
     std::string sha256;
 };
 
-// The packed tables (shader_src/tables/texels.glsl) as a texture, row after row; the texels behind
-// the last are 0. Numbers are little-endian.
+// The packed tables (shader_src/tables/texels.glsl) for a buffer or, row after row, for a texture;
+// the texels behind the last are 0. Numbers are little-endian.
 struct TableFile {
     std::filesystem::path path;  // relative: tables/lacquer_tables.FORMAT
-    std::string format;          // "rgba16f", "rgba32f"
+    std::string format = "rgba32ui";
     std::size_t texel_count = 0;
     std::size_t width = 0, height = 0;
     std::string contents;

@@ -17,7 +17,7 @@
 #include "codegen/names.h"
 #include "codegen/reflect.h"
 #include "codegen/sha256.h"
-#include "codegen/table_files.h"
+#include "codegen/table_file.h"
 #include "codegen/targets.h"
 #include "codegen/text/print.h"
 #include "codegen/variants.h"
@@ -304,7 +304,7 @@ Package generate(const Request& request) {
     const bool tables = std::ranges::any_of(
         package.files, [](const ShaderFile& file) { return file.table_reads > 0; });
     if (tables && !request.tables_folder.empty())
-        package.tables = table_files(request.tables_folder);
+        package.tables = {table_file(request.tables_folder)};
     return package;
 }
 

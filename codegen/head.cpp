@@ -33,20 +33,18 @@ constexpr std::string_view kConventions =
 std::string_view table_access(text::Dialect dialect) {
     switch (dialect) {
         case text::Dialect::hlsl:
-            return "float4 lq_table_texel(int index) { return TABLES.Load(int3(index % 128, index "
-                   "/ "
+            return "uint4 lq_table_texel(int index) { return TABLES.Load(int3(index % 128, index / "
                    "128, 0)); }";
         case text::Dialect::wgsl:
-            return "fn lq_table_texel(index: i32) -> vec4f { return textureLoad(TABLES, "
-                   "vec2i(index "
+            return "fn lq_table_texel(index: i32) -> vec4u { return textureLoad(TABLES, vec2i(index "
                    "% 128, index / 128), 0); }";
         case text::Dialect::msl:
-            return "static inline float4 lq_table_texel(int index) { return TABLES[index]; }  // "
-                   "constant float4 TABLES[]";
+            return "static inline uint4 lq_table_texel(int index) { return TABLES[index]; }  // "
+                   "constant uint4 TABLES[]";
         case text::Dialect::glsl:
             break;
     }
-    return "vec4 lq_table_texel(int index) { return texelFetch(TABLES, ivec2(index % 128, index / "
+    return "uvec4 lq_table_texel(int index) { return texelFetch(TABLES, ivec2(index % 128, index / "
            "128), 0); }";
 }
 

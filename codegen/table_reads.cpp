@@ -12,7 +12,7 @@ namespace {
 // Per thread: packages may be generated side by side.
 thread_local std::size_t texels_read = 0;
 
-const glm::vec4& counted_texel(int index) {
+const glm::uvec4& counted_texel(int index) {
     ++texels_read;
     return kTableTexels[index];
 }

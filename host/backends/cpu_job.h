@@ -52,6 +52,7 @@ void run_query(Kernel kernel, const Surface& surface, const KernelParameters& pa
         case Kernel::copy:
             results[0] = glm::dvec4{glm::vec<4, Real>{inputs[0]} + glm::vec<4, Real>{inputs[1]}};
             break;
+        case Kernel::lights:  // run_lights
         case Kernel::walk:
         case Kernel::walk_exits:
         case Kernel::walk_orders:
@@ -78,10 +79,27 @@ JobResult run_queries(const Job& job, const RunOne& run_one) {
     return result;
 }
 
+// The kernel `lights`, which unlike the others reads the rows of other queries, and whose preparing
+// is part of what it measures.
+template <typename Real, typename Prepare>
+JobResult run_lights(const Job& job, const Prepare& prepare) {
+    const std::uint64_t query_count = job.query_count();
+    return run_queries(job, [&](std::uint64_t query, const glm::vec4* inputs, glm::dvec4* results) {
+        using Vector = glm::vec<3, Real>;
+        const auto surface = prepare(job.materials[query / job.queries_per_material]);
+        const Vector wo{*inputs};
+        Vector sum{0};
+        for (std::uint64_t n = 1; n <= job.parameters.point_count; ++n)
+            sum += surface.eval_cos(Vector{job.inputs[(query + n) % query_count]}, wo);
+        *results = glm::dvec4{sum, 1.0};
+    });
+}
+
 // Runs a whole job with the surfaces that `prepare(material)` makes.
 template <typename Real, typename Prepare>
 JobResult run_on_cpu(const Job& job, const Prepare& prepare) {
     check_job(job);
+    if (job.kernel == Kernel::lights) return run_lights<Real>(job, prepare);
     std::vector<decltype(prepare(job.materials[0]))> surfaces;
     surfaces.reserve(job.materials.size());
     for (const Material& material : job.materials) surfaces.push_back(prepare(material));

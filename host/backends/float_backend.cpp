@@ -49,8 +49,8 @@ Dispatch dispatch_of(const Job& job, const Part& part, std::span<const glm::vec4
 }
 
 // A buffer of no bytes cannot be bound: a model that reads no tables gets one texel.
-std::span<const glm::vec4> tables_of(Model model) {
-    static const glm::vec4 none{0.0f};
+std::span<const TableTexel> tables_of(Model model) {
+    static const TableTexel none{0};
     return reads_tables(model) ? shipped_texels() : std::span{&none, 1};
 }
 

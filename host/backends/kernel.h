@@ -12,6 +12,8 @@ enum class Kernel {
     sphere,  // wi, wo, with parameters.radiance -> (radiance, 1)
     sample,  // wo, u -> (wi, pdf), (weight, 0)
     albedo,  // wo, with parameters.point_count -> (direct, 0), (base, 0)
+    lights,  // wo -> (radiance of parameters.point_count lights, 1): the directions of the queries
+             // that follow, around to the first
     copy,    // two rows -> one; moves the bytes of eval and computes nothing
     walk,  // an interface and a stream of random numbers, with parameters.point_count -> energies,
            // squares, spread: see shader_src/kernels/walk.comp; shades no material
@@ -43,6 +45,8 @@ constexpr KernelShape kernel_shape(Kernel kernel) {
             return {"sample", 2, 2};
         case Kernel::albedo:
             return {"albedo", 1, 2};
+        case Kernel::lights:
+            return {"lights", 1, 1};
         case Kernel::copy:
             return {"copy", 2, 1};
         case Kernel::walk:

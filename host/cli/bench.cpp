@@ -26,6 +26,11 @@ namespace {
 constexpr std::int64_t kDefaultQueries = std::int64_t{1} << 20;
 constexpr int kMaxRuns = 1000;
 
+// What a shading point costs is measured with one light and with these more, at one point for this
+// many queries.
+constexpr std::uint32_t kMoreLights = 32;
+constexpr std::uint64_t kQueriesPerPoint = 16;
+
 constexpr const char* kSummary = "Measure how fast the backends and the simulator are";
 
 constexpr const char* kHelp =
@@ -34,6 +39,10 @@ runs, compilation left out, moving data to and from the device included. `/ copy
 as a multiple of a kernel that moves the same bytes and computes nothing, `/ plain` as a
 multiple of the model plain. `device` is the rate of the kernel alone by the device's own
 clock, where it has one. On a shared machine only the ratios mean much.
+
+`first light` is what preparing a shading point and shading one light cost, `more lights` what each
+further light costs, both as multiples of the model plain and by the device's own clock where it
+has one.
 
 For the simulator, the rate of light walking through one rough interface between dielectrics, in
 millions per second of one core's own time. Left out where --backend names others.
@@ -64,6 +73,15 @@ struct Measurement {
     std::string backend, device;
     std::string reason;  // why there are no figures; empty where there are
     Timing model, copy, plain;
+    // Time as a multiple of the model plain's.
+    double first_light = 1.0;
+    double more_lights = 1.0;
+};
+
+// A shading point with one light, and what 32 more add; medians, by the device's clock if it can.
+struct LightTiming {
+    double first = 0.0;
+    double more = 0.0;
 };
 
 // Directions over the upper hemisphere by the golden angle (Fibonacci lattice), each wi with a wo a
@@ -86,6 +104,14 @@ std::vector<glm::vec4> lattice_inputs(std::uint64_t queries) {
     return inputs;
 }
 
+// Directions over the upper hemisphere, one per shading point.
+std::vector<glm::vec4> lattice_viewers(std::uint64_t points) {
+    const std::vector<glm::vec4> pairs = lattice_inputs(points);
+    std::vector<glm::vec4> viewers;
+    for (std::size_t row = 0; row < pairs.size(); row += 2) viewers.push_back(pairs[row]);
+    return viewers;
+}
+
 Timing time_job(Backend& backend, const Job& job, int runs) {
     backend.prepare(job.model, job.kernel);
     std::vector<double> seconds, device_seconds;
@@ -97,6 +123,22 @@ Timing time_job(Backend& backend, const Job& job, int runs) {
     Timing timing{median(seconds), std::nullopt};
     if (!device_seconds.empty()) timing.device_seconds = median(device_seconds);
     return timing;
+}
+
+double device_or_all(const Timing& timing) {
+    return timing.device_seconds.value_or(timing.seconds);
+}
+
+LightTiming time_lights(Backend& backend, Job job, Model model, int runs) {
+    job.model = model;
+    job.kernel = Kernel::lights;
+    job.queries_per_material = std::max<std::uint64_t>(job.queries_per_material / kQueriesPerPoint, 1);
+    const std::vector<glm::vec4> viewers = lattice_viewers(job.queries_per_material);
+    job.inputs = viewers;
+    job.parameters.point_count = 1;
+    const double first = device_or_all(time_job(backend, job, runs));
+    job.parameters.point_count = 1 + kMoreLights;
+    return {first, device_or_all(time_job(backend, job, runs)) - first};
 }
 
 Measurement measure(const BackendEntry& entry, const Arguments& arguments, Job job,
@@ -125,6 +167,11 @@ Measurement measure(const BackendEntry& entry, const Arguments& arguments, Job j
     measurement.model = time(model, Kernel::eval);
     measurement.plain =
         model == Model::plain ? measurement.model : time(Model::plain, Kernel::eval);
+    if (model == Model::plain) return measurement;
+    const LightTiming lights = time_lights(*backend, job, model, arguments.runs);
+    const LightTiming plain_lights = time_lights(*backend, job, Model::plain, arguments.runs);
+    measurement.first_light = lights.first / plain_lights.first;
+    measurement.more_lights = lights.more / plain_lights.more;
     return measurement;
 }
 
@@ -144,20 +191,24 @@ std::string table_text(const std::vector<Measurement>& measurements, std::int64_
     std::vector<std::vector<std::string>> rows;
     for (const Measurement& m : measurements) {
         if (!m.reason.empty()) {
-            rows.push_back({m.backend, "-", "-", "-", "-", m.reason});
+            rows.push_back({m.backend, "-", "-", "-", "-", "-", "-", m.reason});
             continue;
         }
         const std::optional<double>& on_device = m.model.device_seconds;
         rows.push_back({m.backend, fmt::format("{:.2f}", rate(queries, m.model.seconds) * 1e-6),
                         on_device ? fmt::format("{:.2f}", rate(queries, *on_device) * 1e-6) : "-",
                         fmt::format("{:.2f}", m.model.seconds / m.copy.seconds),
-                        fmt::format("{:.2f}", m.model.seconds / m.plain.seconds), m.device});
+                        fmt::format("{:.2f}", m.model.seconds / m.plain.seconds),
+                        fmt::format("{:.2f}", m.first_light), fmt::format("{:.2f}", m.more_lights),
+                        m.device});
     }
     return format_table({{"backend"},
                          {"Mq/s", Align::right},
                          {"device Mq/s", Align::right},
                          {"/ copy", Align::right},
                          {"/ plain", Align::right},
+                         {"first light", Align::right},
+                         {"more lights", Align::right},
                          {"device"}},
                         rows);
 }
@@ -176,6 +227,8 @@ Json to_json(const std::vector<Measurement>& measurements, const Arguments& argu
                     rate(arguments.queries, *m.model.device_seconds);
             backend["ratio_to_copy"] = m.model.seconds / m.copy.seconds;
             backend["ratio_to_plain"] = m.model.seconds / m.plain.seconds;
+            backend["first_light_ratio_to_plain"] = m.first_light;
+            backend["more_lights_ratio_to_plain"] = m.more_lights;
         }
         backends.push_back(backend);
     }

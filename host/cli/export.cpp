@@ -23,9 +23,9 @@ constexpr const char* kHelp =
 functions and structs only, to be pasted into a shader of your own; `kernel` has entry points
 over the bindings that the manifest lists. WGSL needs Node.js.
 
-Levels that read tables come with tables/lacquer_tables.FORMAT: bind `rgba32f` as the storage
-buffer `tables` of compute kernels, or upload `rgba16f`, the same numbers, as a texture of the
-manifest's width and height, no filter, as `tables` of sphere_view. In the form `library` define
+Levels that read tables come with tables/lacquer_tables.rgba32ui: bind it as the storage buffer
+`tables` of compute kernels, or upload it as a texture of that format and the manifest's width and
+height as `tables` of sphere_view. In the form `library` define
 lq_table_texel(index) yourself; the head of the file says how. In Metal it can only read an array
 of constants: nothing bound is global there.
 

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/packing.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -37,6 +38,7 @@ namespace lacquer::glsl_float {
 using namespace glsl;
 using glm::vec2;
 using glm::vec3;
+using glm::unpackHalf2x16;
 using glm::vec4;
 
 }  // namespace lacquer::glsl_float
@@ -47,5 +49,9 @@ using namespace glsl;
 using vec2 = glm::dvec2;
 using vec3 = glm::dvec3;
 using vec4 = glm::dvec4;
+
+inline vec2 unpackHalf2x16(const uint halves) {
+    return vec2{glm::unpackHalf2x16(halves)};
+}
 
 }  // namespace lacquer::glsl_double

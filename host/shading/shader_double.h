@@ -15,8 +15,8 @@ namespace {
 using namespace glsl_double;
 using Real = double;
 
-vec4 lq_table_texel(const int index) {
-    return vec4{LACQUER_TABLE_TEXEL(index)};
+uvec4 lq_table_texel(const int index) {
+    return LACQUER_TABLE_TEXEL(index);
 }
 
 #define float double

@@ -16,8 +16,8 @@ namespace {
 using namespace glsl_float;
 using Real = float;
 
-vec4 lq_table_texel(const int index) {
-    return vec4{LACQUER_TABLE_TEXEL(index)};
+uvec4 lq_table_texel(const int index) {
+    return LACQUER_TABLE_TEXEL(index);
 }
 
 #include "lacquer.glsl"

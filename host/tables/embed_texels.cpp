@@ -13,16 +13,15 @@ namespace {
 
 using namespace lacquer;
 
-// Hexadecimal: short, and exact.
-std::string source_of(std::span<const glm::vec4> texels) {
+std::string source_of(std::span<const TableTexel> texels) {
     std::string source = "// Generated from tables/*.bin.\n#include \"shading/table_texels.h\"\n\n";
     fmt::format_to(std::back_inserter(source),
                    "namespace lacquer {{\n\n"
                    "const std::size_t kTableTexelCount = {};\n\n"
-                   "const glm::vec4 kTableTexels[] = {{\n",
+                   "const glm::uvec4 kTableTexels[] = {{\n",
                    texels.size());
-    for (const glm::vec4& texel : texels)
-        fmt::format_to(std::back_inserter(source), "{{{:a}f,{:a}f,{:a}f,{:a}f}},\n", texel.x,
+    for (const TableTexel& texel : texels)
+        fmt::format_to(std::back_inserter(source), "{{{:#x},{:#x},{:#x},{:#x}}},\n", texel.x,
                        texel.y, texel.z, texel.w);
     return source + "};\n\n}  // namespace lacquer\n";
 }

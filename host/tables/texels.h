@@ -1,9 +1,9 @@
-// The baked tables as shaders read them: texels of four numbers, one array after the other as
+// The baked tables as shaders read them: texels of eight halves, one array after the other as
 // shader_src/tables/texels.glsl says.
 #pragma once
 
 #include <array>
-#include <glm/vec4.hpp>
+#include <glm/ext/vector_uint4.hpp>
 #include <span>
 #include <vector>
 
@@ -11,15 +11,17 @@
 
 namespace lacquer {
 
-// Nodes of an array in the order of their axes, the channels of each in consecutive texels, the
-// last filled up with 0. Every number is one that a half can hold.
-std::vector<glm::vec4> pack_texels(const std::array<Table, kTableNames.size()>& tables);
+// Eight halves, two to a component, the first in its lower bits.
+using TableTexel = glm::uvec4;
+
+// Nodes of an array in the order of their axes, what belongs to one node in consecutive texels.
+std::vector<TableTexel> pack_texels(const std::array<Table, kTableNames.size()>& tables);
 
 // Columns of the texture that holds the texels row after row: LQ_TABLE_COLUMNS of the shader source.
 inline constexpr std::size_t kTexelColumns = 128;
 
 // Those of the tables that the program ships with, read once. Throws Error naming the file that is
 // missing or damaged.
-std::span<const glm::vec4> shipped_texels();
+std::span<const TableTexel> shipped_texels();
 
 }  // namespace lacquer

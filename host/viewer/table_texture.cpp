@@ -15,9 +15,9 @@ using Stage = vk::PipelineStageFlagBits;
 using Access = vk::AccessFlagBits;
 using Layout = vk::ImageLayout;
 
-constexpr const char* kFile = "shaders/tables/lacquer_tables.rgba16f";
-constexpr vk::Format kFormat = vk::Format::eR16G16B16A16Sfloat;
-constexpr std::size_t kBytesPerTexel = 8;
+constexpr const char* kFile = "shaders/tables/lacquer_tables.rgba32ui";
+constexpr vk::Format kFormat = vk::Format::eR32G32B32A32Uint;
+constexpr std::size_t kBytesPerTexel = 16;
 
 constexpr vk::ImageSubresourceRange kWhole{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
 

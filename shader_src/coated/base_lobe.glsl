@@ -8,26 +8,16 @@
 #include "../microfacet/reflection.glsl"
 #include "surface.glsl"
 
-// T01 of the colour channels.
-vec3 lq_coated_entering(const LqCoatedSurface surface, const vec3 w) {
-    const vec4 t_down = lq_interface_t_down(surface.energies, min(w.z, 1.0));
-    return vec3(t_down.x, t_down.y, t_down.z);
-}
-
-// Directional albedo of the base's light, rho_2+.
-vec3 lq_coated_base_albedo(const LqCoatedSurface surface, const vec3 w) {
-    return lq_coated_entering(surface, w) * surface.returned;
-}
-
-// The base's part of f, for wi and wo above the surface.
+// The base's part of f, for wi and the viewer above the surface.
 // Exact: T01(wi) T01(wo) rho / (pi eta^2 (1 - rho R10_bar)): a Lambertian base forgets directions,
 // and light takes the same paths both ways.
-vec3 lq_coated_base(const LqCoatedSurface surface, const vec3 wi, const vec3 wo) {
+vec3 lq_coated_base(const LqCoatedSurface surface, const LqCoatedView viewer, const vec3 wi) {
     if (surface.base_lobe == LQ_BASE_LOBE_GGX) {
         const float lobe = lq_reflection_lobe(surface.lobe, wi, vec3(0.0, 0.0, 1.0));
-        return lq_coated_base_albedo(surface, wo) * (lobe / surface.lobe_energy);
+        return viewer.base * (lobe / surface.lobe_energy);
     }
-    return lq_coated_entering(surface, wi) * lq_coated_entering(surface, wo) * surface.spread;
+    const vec4 entering = lq_interface_t_down(surface.energies, min(wi.z, 1.0));
+    return vec3(entering.x, entering.y, entering.z) * (viewer.entering * surface.spread);
 }
 
 // Of the facets as seen along the normal, those that mirror it above the surface.

@@ -15,44 +15,34 @@
 #include "../microfacet/reflection.glsl"
 #include "surface.glsl"
 
-float lq_coated_multiple(const LqCoatedSurface surface, const vec3 w) {
-    return lq_interface_fgd_multiple(surface.energies, min(w.z, 1.0));
-}
-
-// Directional albedo of all orders of scattering.
-float lq_coated_coat_albedo(const LqCoatedSurface surface, const vec3 w) {
-    return 1.0 - lq_interface_t_down(surface.energies, min(w.z, 1.0)).w;
-}
-
-// The coat's part of f, for wi and wo above the surface.
-float lq_coated_coat(const LqCoatedSurface surface, const vec3 wi, const vec3 wo) {
-    const float once = lq_fresnel_dielectric(lq_cos_theta_halfway(wi, wo), surface.eta) *
-                       lq_reflection_lobe(surface.coat, wi, wo);
-    const float again = lq_coated_multiple(surface, wi) * lq_coated_multiple(surface, wo) *
-                        (LQ_INVERSE_PI / surface.energies.multiple_average);
-    return once + again;
+// The coat's part of f, for wi and the viewer above the surface.
+float lq_coated_coat(const LqCoatedSurface surface, const LqCoatedView viewer, const vec3 wi) {
+    const float once = lq_fresnel_dielectric(lq_cos_theta_halfway(wi, viewer.wo), surface.eta) *
+                       lq_reflection_lobe(surface.coat, wi, viewer.wo);
+    const float multiple = lq_interface_fgd_multiple(surface.energies, min(wi.z, 1.0));
+    return once + multiple * viewer.multiple * surface.multiple_scale;
 }
 
 // How often `lq_coated_coat_sample` mirrors wo by a facet, rather than choosing any direction.
-float lq_coated_once_choice(const LqCoatedSurface surface, const vec3 wo) {
-    const float albedo = lq_coated_coat_albedo(surface, wo);
-    if (albedo <= 0.0) {
+float lq_coated_once_choice(const LqCoatedView viewer) {
+    if (viewer.coat <= 0.0) {
         return 1.0;
     }
-    return max(1.0 - lq_coated_multiple(surface, wo) / albedo, LQ_MIN_CHOICE);
+    return max(1.0 - viewer.multiple / viewer.coat, LQ_MIN_CHOICE);
 }
 
-float lq_coated_coat_pdf(const LqCoatedSurface surface, const vec3 wi, const vec3 wo) {
-    const float once = lq_coated_once_choice(surface, wo);
-    return once * lq_reflection_pdf(surface.coat, wi, wo) +
+// Density of `lq_coated_coat_sample`.
+float lq_coated_coat_pdf(const LqCoatedSurface surface, const LqCoatedView viewer, const vec3 wi) {
+    const float once = lq_coated_once_choice(viewer);
+    return once * lq_reflection_pdf(surface.coat, wi, viewer.wo) +
            (1.0 - once) * lq_cosine_hemisphere_pdf(wi.z);
 }
 
 // May point below the surface. `choice` in [0, 1).
-vec3 lq_coated_coat_sample(const LqCoatedSurface surface, const vec3 wo, const float choice,
-                           const vec2 u) {
-    if (choice < lq_coated_once_choice(surface, wo)) {
-        return lq_reflection_sample(surface.coat, wo, u);
+vec3 lq_coated_coat_sample(const LqCoatedSurface surface, const LqCoatedView viewer,
+                           const float choice, const vec2 u) {
+    if (choice < lq_coated_once_choice(viewer)) {
+        return lq_reflection_sample(surface.coat, viewer.wo, u);
     }
     return lq_sample_cosine_hemisphere(u);
 }

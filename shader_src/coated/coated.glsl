@@ -10,6 +10,17 @@
 #include "coat_lobe.glsl"
 #include "surface.glsl"
 
+// f(wi, wo) cos_theta_i for a viewer that `lq_coated_view` knows; 0 unless wi is above the surface.
+vec3 lq_coated_eval_light(const LqCoatedSurface surface, const LqCoatedView viewer, const vec3 wi) {
+    if (!lq_is_above(wi)) {
+        return vec3(0.0);
+    }
+    if (!lq_is_above(viewer.wo)) {
+        return vec3(0.0);
+    }
+    return (lq_coated_base(surface, viewer, wi) + vec3(lq_coated_coat(surface, viewer, wi))) * wi.z;
+}
+
 // f(wi, wo), per steradian; 0 unless both directions are above the surface.
 vec3 lq_coated_eval(const LqCoatedSurface surface, const vec3 wi, const vec3 wo) {
     if (!lq_is_above(wi)) {
@@ -18,7 +29,8 @@ vec3 lq_coated_eval(const LqCoatedSurface surface, const vec3 wi, const vec3 wo)
     if (!lq_is_above(wo)) {
         return vec3(0.0);
     }
-    return lq_coated_base(surface, wi, wo) + vec3(lq_coated_coat(surface, wi, wo));
+    const LqCoatedView viewer = lq_coated_view(surface, wo);
+    return lq_coated_base(surface, viewer, wi) + vec3(lq_coated_coat(surface, viewer, wi));
 }
 
 // f(wi, wo) cos_theta_i.
@@ -26,18 +38,23 @@ vec3 lq_coated_eval_cos(const LqCoatedSurface surface, const vec3 wi, const vec3
     return lq_coated_eval(surface, wi, wo) * max(wi.z, 0.0);
 }
 
-// How often `lq_coated_sample` chooses the coat for this wo: in proportion to what the coat and the
-// base reflect.
-float lq_coated_coat_choice(const LqCoatedSurface surface, const vec3 wo) {
-    const float coat = lq_coated_coat_albedo(surface, wo);
-    const float base = lq_average(lq_coated_base_albedo(surface, wo));
-    if (coat <= 0.0) {
+// How often `lq_coated_sample` chooses the coat: in proportion to what coat and base reflect.
+float lq_coated_coat_choice(const LqCoatedView viewer) {
+    const float base = lq_average(viewer.base);
+    if (viewer.coat <= 0.0) {
         return 0.0;
     }
     if (base <= 0.0) {
         return 1.0;
     }
-    return clamp(coat / (coat + base), LQ_MIN_CHOICE, 1.0 - LQ_MIN_CHOICE);
+    return clamp(viewer.coat / (viewer.coat + base), LQ_MIN_CHOICE, 1.0 - LQ_MIN_CHOICE);
+}
+
+// Of the density per solid angle below, for directions above the surface.
+float lq_coated_mixed_pdf(const LqCoatedSurface surface, const LqCoatedView viewer, const vec3 wi) {
+    const float coat = lq_coated_coat_choice(viewer);
+    return coat * lq_coated_coat_pdf(surface, viewer, wi) +
+           (1.0 - coat) * lq_coated_base_pdf(surface, wi);
 }
 
 // Density per solid angle with which `lq_coated_sample` chooses wi; 0 unless both directions are
@@ -49,9 +66,7 @@ float lq_coated_pdf(const LqCoatedSurface surface, const vec3 wi, const vec3 wo)
     if (!lq_is_above(wo)) {
         return 0.0;
     }
-    const float coat = lq_coated_coat_choice(surface, wo);
-    return coat * lq_coated_coat_pdf(surface, wi, wo) +
-           (1.0 - coat) * lq_coated_base_pdf(surface, wi);
+    return lq_coated_mixed_pdf(surface, lq_coated_view(surface, wo), wi);
 }
 
 // Direction of light for a viewer at wo, from three uniform numbers in [0, 1): the first chooses
@@ -60,19 +75,23 @@ LqSample lq_coated_sample(const LqCoatedSurface surface, const vec3 wo, const ve
     if (!lq_is_above(wo)) {
         return LqSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0);
     }
+    const LqCoatedView viewer = lq_coated_view(surface, wo);
     const vec2 square = vec2(u.y, u.z);
-    const float coat = lq_coated_coat_choice(surface, wo);
+    const float coat = lq_coated_coat_choice(viewer);
     vec3 wi = vec3(0.0, 0.0, 1.0);
     if (u.x < coat) {
-        wi = lq_coated_coat_sample(surface, wo, u.x / coat, square);
+        wi = lq_coated_coat_sample(surface, viewer, u.x / coat, square);
     } else {
         wi = lq_coated_base_sample(surface, square);
     }
-    const float pdf = lq_coated_pdf(surface, wi, wo);
+    if (!lq_is_above(wi)) {
+        return LqSample(wi, vec3(0.0), 0.0);
+    }
+    const float pdf = lq_coated_mixed_pdf(surface, viewer, wi);
     if (pdf <= 0.0) {
         return LqSample(wi, vec3(0.0), 0.0);
     }
-    return LqSample(wi, lq_coated_eval_cos(surface, wi, wo) * (1.0 / pdf), pdf);
+    return LqSample(wi, lq_coated_eval_light(surface, viewer, wi) * (1.0 / pdf), pdf);
 }
 
 // Fraction of light from every direction that the coat and the base send to wo: the tables' own.
@@ -80,7 +99,8 @@ LqAlbedo lq_coated_albedo(const LqCoatedSurface surface, const vec3 wo) {
     if (!lq_is_above(wo)) {
         return LqAlbedo(vec3(0.0), vec3(0.0));
     }
-    return LqAlbedo(vec3(lq_coated_coat_albedo(surface, wo)), lq_coated_base_albedo(surface, wo));
+    const LqCoatedView viewer = lq_coated_view(surface, wo);
+    return LqAlbedo(vec3(viewer.coat), viewer.base);
 }
 
 #endif

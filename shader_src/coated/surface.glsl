@@ -25,7 +25,9 @@ struct LqCoatedMaterial {
 };
 
 // `returned` is what base and coat make of light that has entered: rho T10_bar / (1 - rho R10_bar);
-// `spread` is rho / (pi eta^2 (1 - rho R10_bar)). `lobe` and `lobe_energy` are the GGX base lobe's.
+// `spread` is rho / (pi eta^2 (1 - rho R10_bar)); `multiple_scale` is 1 / (pi m_average), m the
+// light that the coat reflects after more than one facet. `lobe` and `lobe_energy` are the GGX base
+// lobe's.
 struct LqCoatedSurface {
     LqFacets coat;
     float eta;
@@ -33,8 +35,20 @@ struct LqCoatedSurface {
     LqInterface energies;
     vec3 returned;
     vec3 spread;
+    float multiple_scale;
     LqFacets lobe;
     float lobe_energy;
+};
+
+// What is known once the viewer is: a light then costs one look at the surface's functions of
+// direction. `coat` and `base` are what each sends to the viewer of light from everywhere, its
+// directional albedo; `multiple` the part of `coat` that has met more than one facet.
+struct LqCoatedView {
+    vec3 wo;
+    float coat;
+    vec3 base;
+    vec3 entering;
+    float multiple;
 };
 
 // The isotropic GGX roughness whose energies stand for those of other facets, to some percent: the
@@ -49,9 +63,8 @@ float lq_coated_energy_alpha(const LqFacets facets, const float eta) {
 
 // Roughness of one GGX lobe for all channels, with the variance of all the light that leaves.
 LqFacets lq_coated_base_facets(const LqInterface energies, const vec3 returned) {
-    const vec4 average = max(lq_direction_energy(energies.transmission), vec4(0.0));
-    const vec3 light =
-        vec3(average.x * returned.x, average.y * returned.y, average.z * returned.z);
+    const vec4 entering = energies.entering;
+    const vec3 light = vec3(entering.x, entering.y, entering.z) * returned;
     const float sum = light.x + light.y + light.z;
     const vec3 variances = lq_interface_variance(energies);
     const float variance = sum > LQ_MIN_ENERGY ? dot(light, variances) / sum : variances.x;
@@ -65,13 +78,14 @@ LqCoatedSurface lq_coated_prepare(const LqCoatedMaterial material) {
     const vec3 tau = clamp(material.tau, vec3(0.0), vec3(1.0));
     const vec3 albedo = clamp(material.albedo, vec3(0.0), vec3(1.0));
     LqCoatedSurface surface;
-    surface.coat = lq_facets_prepare(material.coat.ndf, material.coat.alpha_x, material.coat.alpha_y);
+    surface.coat =
+        lq_facets_prepare(material.coat.ndf, material.coat.alpha_x, material.coat.alpha_y);
     surface.eta = eta;
     surface.base_lobe = material.base_lobe;
     surface.energies =
         lq_interface_prepare(lq_coated_energy_alpha(material.coat, eta), eta, tau);
-    surface.energies.multiple_average =
-        max(surface.energies.multiple_average, LQ_LEAST_MULTIPLE_AVERAGE);
+    surface.multiple_scale =
+        LQ_INVERSE_PI / max(surface.energies.multiple_average, LQ_LEAST_MULTIPLE_AVERAGE);
     // The base reflects again what the coat sends back: a geometric series.
     const vec3 reflected = albedo / (vec3(1.0) - albedo * surface.energies.r_up);
     surface.returned = reflected * surface.energies.t_up;
@@ -83,6 +97,15 @@ LqCoatedSurface lq_coated_prepare(const LqCoatedMaterial material) {
         surface.lobe_energy = lq_normal_lobe_energy(surface.lobe.alpha_x);
     }
     return surface;
+}
+
+// For any number of lights and samples; `wo` above the surface.
+LqCoatedView lq_coated_view(const LqCoatedSurface surface, const vec3 wo) {
+    const float cos_theta_o = clamp(wo.z, 0.0, 1.0);
+    const vec4 t_down = lq_interface_t_down(surface.energies, cos_theta_o);
+    const vec3 entering = vec3(t_down.x, t_down.y, t_down.z);
+    return LqCoatedView(wo, 1.0 - t_down.w, entering * surface.returned, entering,
+                        lq_interface_fgd_multiple(surface.energies, cos_theta_o));
 }
 
 #endif

@@ -30,10 +30,10 @@ layout(set = 0, binding = 3, std430) buffer LqResults {
 #ifdef LQ_MODEL_COATED  // of all levels so far, this one reads tables
 // The baked tables (shader_src/tables/texels.glsl).
 layout(set = 0, binding = 4, std430) readonly buffer LqTables {
-    vec4 texels[];
+    uvec4 texels[];
 } tables;
 
-vec4 lq_table_texel(const int index) {
+uvec4 lq_table_texel(const int index) {
     return tables.texels[index];
 }
 #endif

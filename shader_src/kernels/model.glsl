@@ -14,3 +14,10 @@
 #ifdef LQ_MODEL_OPENPBR_COAT
 #include "model_openpbr_coat.glsl"
 #endif
+
+// What a model can find out about a viewer before it knows the lights. Most know nothing.
+#ifndef LqModelView
+#define LqModelView vec3
+#define lq_model_view(surface, wo) (wo)
+#define lq_model_eval_light(surface, view, wi) lq_model_eval_cos(surface, wi, view)
+#endif

@@ -1,7 +1,7 @@
 // Linear interpolation among table nodes, by hand: the same in every language and on every device,
 // which a sampler's filter is not.
 //
-// Whoever includes this supplies `vec4 lq_table_texel(const int index)`, a texel of the packed
+// Whoever includes this supplies `uvec4 lq_table_texel(const int index)`, a texel of the packed
 // tables: from a buffer, or with texelFetch from a texture.
 #ifndef LQ_TABLES_INTERPOLATE_GLSL
 #define LQ_TABLES_INTERPOLATE_GLSL
@@ -19,11 +19,28 @@ struct LqSegment {
     float share;
 };
 
-// The four texels about a point of a two-dimensional grid, and their weights.
+// The first texels of the four nodes about a point of a two-dimensional grid, counted from where an
+// array begins: those of its lower row, then of its higher. And how far between rows and columns.
 struct LqCell {
     ivec4 texels;
-    vec4 weights;
+    float row_share;
+    float column_share;
 };
+
+// The eight numbers of a texel.
+struct LqOctet {
+    vec4 low;
+    vec4 high;
+};
+
+LqOctet lq_table_octet(const int index) {
+    const uvec4 texel = lq_table_texel(index);
+    const vec2 a = unpackHalf2x16(texel.x);
+    const vec2 b = unpackHalf2x16(texel.y);
+    const vec2 c = unpackHalf2x16(texel.z);
+    const vec2 d = unpackHalf2x16(texel.w);
+    return LqOctet(vec4(a.x, a.y, b.x, b.y), vec4(c.x, c.y, d.x, d.y));
+}
 
 // `position` in [0, size - 1].
 LqSegment lq_table_segment(const float position, const int size) {
@@ -32,32 +49,35 @@ LqSegment lq_table_segment(const float position, const int size) {
     return LqSegment(low, min(low + 1, size - 1), inside - float(low));
 }
 
-// `texels_per_node` texels for each node of rows and columns, from texel `first` on.
-LqCell lq_table_cell(const int first, const LqSegment row, const LqSegment column,
-                     const int columns, const int texels_per_node) {
+LqCell lq_table_cell(const LqSegment row, const LqSegment column, const int columns,
+                     const int texels_per_node) {
     const ivec4 nodes =
         ivec4(row.low * columns + column.low, row.low * columns + column.high,
               row.high * columns + column.low, row.high * columns + column.high);
-    const vec2 rows = vec2(1.0 - row.share, row.share);
-    const vec2 sides = vec2(1.0 - column.share, column.share);
-    return LqCell(nodes * texels_per_node + ivec4(first),
-                  vec4(rows.x * sides.x, rows.x * sides.y, rows.y * sides.x, rows.y * sides.y));
+    return LqCell(nodes * texels_per_node, row.share, column.share);
 }
 
-// Four channels at a point of a grid: those of texel number `texel` of each node.
-vec4 lq_table_read(const LqCell cell, const int texel) {
-    return lq_table_texel(cell.texels.x + texel) * cell.weights.x +
-           lq_table_texel(cell.texels.y + texel) * cell.weights.y +
-           lq_table_texel(cell.texels.z + texel) * cell.weights.z +
-           lq_table_texel(cell.texels.w + texel) * cell.weights.w;
+// By difference, so that what hardly varies is hardly rounded.
+LqOctet lq_octet_between(const LqOctet low, const LqOctet high, const float share) {
+    return LqOctet(low.low + (high.low - low.low) * share,
+                   low.high + (high.high - low.high) * share);
+}
+
+// The numbers at a point of a grid, `first` being a texel of its first node.
+LqOctet lq_table_read(const LqCell cell, const int first) {
+    return lq_octet_between(
+        lq_octet_between(lq_table_octet(first + cell.texels.x),
+                         lq_table_octet(first + cell.texels.y), cell.column_share),
+        lq_octet_between(lq_table_octet(first + cell.texels.z),
+                         lq_table_octet(first + cell.texels.w), cell.column_share),
+        cell.row_share);
 }
 
 // The same along one axis.
-vec4 lq_table_read_line(const int first, const LqSegment segment, const int texels_per_node,
-                        const int texel) {
-    const vec4 low = lq_table_texel(first + segment.low * texels_per_node + texel);
-    const vec4 high = lq_table_texel(first + segment.high * texels_per_node + texel);
-    return low + (high - low) * segment.share;
+LqOctet lq_table_read_line(const LqSegment segment, const int texels_per_node, const int first) {
+    return lq_octet_between(lq_table_octet(first + segment.low * texels_per_node),
+                            lq_table_octet(first + segment.high * texels_per_node),
+                            segment.share);
 }
 
 // Positions on the axes of the tables (host/tables/axis.h).

@@ -6,9 +6,9 @@
 #include "../tables/texels.glsl"
 
 #ifdef LQ_MODEL_COATED  // of all levels so far, this one reads tables
-layout(set = 0, binding = 1) uniform texture2D tables;
+layout(set = 0, binding = 1) uniform utexture2D tables;
 
-vec4 lq_table_texel(const int index) {
+uvec4 lq_table_texel(const int index) {
     return texelFetch(tables, ivec2(index % LQ_TABLE_COLUMNS, index / LQ_TABLE_COLUMNS), 0);
 }
 #endif

@@ -110,14 +110,14 @@ std::string table_access(const codegen::ShaderFile& file) {
     if (!wanted) return {};
     switch (codegen::dialect_of(file.target)) {
         case codegen::text::Dialect::hlsl:
-            return "float4 lq_table_texel(int index) { return float4(index, 0.0, 0.0, 0.0); }\n";
+            return "uint4 lq_table_texel(int index) { return uint4(index, 0, 0, 0); }\n";
         case codegen::text::Dialect::wgsl:
-            return "fn lq_table_texel(index: i32) -> vec4<f32> { return vec4<f32>(f32(index)); }\n";
+            return "fn lq_table_texel(index: i32) -> vec4<u32> { return vec4<u32>(u32(index)); }\n";
         case codegen::text::Dialect::msl:
             return "#include <metal_stdlib>\nusing namespace metal;\n"
-                   "static inline float4 lq_table_texel(int index) { return float4(index); }\n";
+                   "static inline uint4 lq_table_texel(int index) { return uint4(index); }\n";
         default:
-            return "vec4 lq_table_texel(int index) { return vec4(float(index)); }\n";
+            return "uvec4 lq_table_texel(int index) { return uvec4(uint(index)); }\n";
     }
 }
 

@@ -69,9 +69,9 @@ TEST(Cost, IsThatOfTheModuleInEveryLanguage) {
 // clear medium; two nodes each of the lobe's roughness and energy.
 TEST(Cost, TexelsReadAreThoseThatTheLayoutNeeds) {
     using namespace shader;
-    const std::size_t below_one =
-        4 * (2 * LQ_T_DOWN_THIN_TEXELS + LQ_R_UP_TEXELS + 2 * LQ_MULTIPLE_TEXELS);
-    const std::size_t tau = 2 * 3 * (LQ_ABSORPTION_TEXELS + LQ_R_UP_TEXELS) + LQ_ABSORPTION_TEXELS;
+    constexpr std::size_t kRUp = 1, kMultiple = 1;  // texels per node
+    const std::size_t below_one = 4 * (2 * LQ_T_DOWN_TEXELS + kRUp + 2 * kMultiple);
+    const std::size_t tau = 2 * 3 * LQ_ABSORPTION_TEXELS + 1;
     const ShaderFile& library = find_file("glsl450/library/coated.glsl");
     EXPECT_EQ(library.table_reads, below_one + tau + 2 * 2);
     EXPECT_EQ(find_file("spirv/kernel/coated_eval.spv").table_reads, library.table_reads);

@@ -1,8 +1,7 @@
-// The packed tables as files, read back as an engine would.
+// The packed tables as a file, read back as an engine would.
 #include <gmock/gmock.h>
 
 #include <cstring>
-#include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
 
 #include "check.h"
@@ -13,39 +12,25 @@ namespace {
 
 using codegen::TableFile;
 
-const TableFile& table(const std::string& format) {
-    for (const TableFile& file : everything().tables)
-        if (file.format == format) return file;
-    throw std::runtime_error{"no tables of format " + format};
+const TableFile& table() {
+    return everything().tables.front();
 }
 
 // Texel (x, y) of a texture that the file was uploaded to.
-glm::vec4 texel_at(const TableFile& file, std::size_t x, std::size_t y) {
-    const char* const first =
-        file.contents.data() + (y * file.width + x) * (file.format == "rgba32f" ? 16 : 8);
-    glm::vec4 texel;
-    for (int channel = 0; channel < 4; ++channel) {
-        if (file.format == "rgba32f") {
-            std::memcpy(&texel[channel], first + 4 * channel, 4);
-        } else {
-            std::uint16_t half = 0;
-            std::memcpy(&half, first + 2 * channel, 2);
-            texel[channel] = glm::unpackHalf1x16(half);
-        }
-    }
+glm::uvec4 texel_at(const TableFile& file, std::size_t x, std::size_t y) {
+    glm::uvec4 texel;
+    std::memcpy(&texel, file.contents.data() + (y * file.width + x) * sizeof(texel), sizeof(texel));
     return texel;
 }
 
-TEST(Tables, HoldTheTexelsOfTheLibraryInEveryFormat) {
-    for (const auto& [format, bytes] : {std::pair{"rgba16f", 8}, {"rgba32f", 16}}) {
-        const TableFile& file = table(format);
-        EXPECT_EQ(file.texel_count, kTableTexelCount);
-        ASSERT_EQ(file.contents.size(), bytes * file.width * file.height);
-        ASSERT_GE(file.width * file.height, file.texel_count);
-        for (std::size_t i = 0; i < file.width * file.height; ++i) {
-            const glm::vec4 expected = i < kTableTexelCount ? kTableTexels[i] : glm::vec4{0.0f};
-            EXPECT_EQ(texel_at(file, i % file.width, i / file.width), expected) << format << i;
-        }
+TEST(Tables, HoldTheTexelsOfTheLibrary) {
+    const TableFile& file = table();
+    EXPECT_EQ(file.texel_count, kTableTexelCount);
+    ASSERT_EQ(file.contents.size(), sizeof(glm::uvec4) * file.width * file.height);
+    ASSERT_GE(file.width * file.height, file.texel_count);
+    for (std::size_t i = 0; i < file.width * file.height; ++i) {
+        const glm::uvec4 expected = i < kTableTexelCount ? kTableTexels[i] : glm::uvec4{0};
+        EXPECT_EQ(texel_at(file, i % file.width, i / file.width), expected) << i;
     }
 }
 
@@ -74,7 +59,7 @@ TEST(Tables, TheViewersTextureHasAsManyColumnsAsTheFiles) {
         if (file.path == "glsl450/kernel/coated_sphere_view.frag.glsl") {
             EXPECT_THAT(file.contents,
                         testing::HasSubstr(
-                            "LQ_TABLE_COLUMNS = " + std::to_string(table("rgba16f").width) + ";"));
+                            "LQ_TABLE_COLUMNS = " + std::to_string(table().width) + ";"));
         }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <stdexcept>
 
 #include "check.h"
 
@@ -122,5 +123,7 @@ Bytes Direct3d::run(ID3D11ComputeShader* shader, const std::vector<KernelBuffer>
         bind(index, slots_[index], buffers[index].kind);
     }
     context_->Dispatch(groups, 1, 1);
-    return download(slots_[buffers.size() - 1], buffers.back().size);
+    const auto results = std::ranges::find(buffers, KernelBuffer::Kind::write, &KernelBuffer::kind);
+    if (results == buffers.end()) throw std::runtime_error{"no buffer to write results to"};
+    return download(slots_[static_cast<std::size_t>(results - buffers.begin())], results->size);
 }

@@ -24,7 +24,7 @@ class Direct3d {
 
     Microsoft::WRL::ComPtr<ID3D11ComputeShader> create_shader(ID3DBlob* code) const;
 
-    // Runs the shader and returns what it wrote to its last buffer.
+    // Runs the shader and returns what it wrote to its writable buffer.
     Bytes run(ID3D11ComputeShader* shader, const std::vector<KernelBuffer>& buffers, UINT groups);
 
  private:

@@ -1,8 +1,8 @@
 // The baked tables as a texture: the file beside the page that `lacquer export` writes too.
-import tablesAddress from "@exported/tables/lacquer_tables.rgba16f?url";
+import tablesAddress from "@exported/tables/lacquer_tables.rgba32ui?url";
 import { fail } from "../fail";
 
-const BYTES_PER_TEXEL = 8;
+const BYTES_PER_TEXEL = 16;
 
 // `columns` wide, as the shaders read it.
 export async function loadTables(device: GPUDevice, columns: number): Promise<GPUTexture> {
@@ -16,7 +16,7 @@ export async function loadTables(device: GPUDevice, columns: number): Promise<GP
     const texture = device.createTexture({
         label: "tables",
         size,
-        format: "rgba16float",
+        format: "rgba32uint",
         usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST,
     });
     device.queue.writeTexture({ texture }, bytes, { bytesPerRow }, size);

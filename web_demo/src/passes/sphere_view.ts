@@ -69,7 +69,7 @@ export class SphereViewPipelines {
                 {
                     binding: 1,
                     visibility: GPUShaderStage.FRAGMENT,
-                    texture: { sampleType: "unfilterable-float" },
+                    texture: { sampleType: "uint" },
                 },
             ],
         });

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 5.0, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 c33f052a23a34d885be47b6512996bc7d526e2dc2dba2d56a27d2847c18a3e3d.
+// Generated; source sha256 27a96a61f39c6af99766b6758acfc7bb8400925ce0b62249296f71bd882e7f10.
 
 static const float LQ_PI = 3.1415927f;
 static const float LQ_INVERSE_PI = 0.31830987f;
