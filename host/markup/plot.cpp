@@ -101,7 +101,7 @@ std::string axes_of(const Plot& plot) {
     return svg;
 }
 
-std::string line_of(const Plot& plot, const Curve& curve, const char* color) {
+std::string line_of(const Plot& plot, const Curve& curve, const std::string& color) {
     std::string path;
     for (std::size_t n = 0; n < curve.x.size(); ++n)
         path += fmt::format("{}{:.1f} {:.1f}", n == 0 ? "M" : "L", x_of(plot, curve.x[n]),
@@ -110,7 +110,7 @@ std::string line_of(const Plot& plot, const Curve& curve, const char* color) {
                        curve.dashed ? R"( stroke-dasharray="5 3")" : "", path);
 }
 
-std::string dots_of(const Plot& plot, const Curve& curve, const char* color) {
+std::string dots_of(const Plot& plot, const Curve& curve, const std::string& color) {
     std::string svg;
     for (std::size_t n = 0; n < curve.x.size(); ++n) {
         const double x = x_of(plot, curve.x[n]);
@@ -126,7 +126,7 @@ std::string dots_of(const Plot& plot, const Curve& curve, const char* color) {
 
 // `index` counts labelled curves: one without a label has the colour of the one before.
 std::string curve_of(const Plot& plot, const Curve& curve, std::size_t index) {
-    const char* color = kColors[index % kColors.size()];
+    const std::string color = curve.color.empty() ? kColors[index % kColors.size()] : curve.color;
     std::string svg = curve.dots ? dots_of(plot, curve, color) : line_of(plot, curve, color);
     if (!curve.label.empty())
         svg +=

@@ -12,6 +12,7 @@ struct Curve {
     bool dashed = false;
     bool dots = false;             // a dot per point in place of a line
     std::vector<double> errors{};  // half the length of each dot's error bar; empty: no bars
+    std::string color{};           // CSS; empty: the next of the plot's own
 };
 
 struct Plot {

@@ -119,7 +119,7 @@ std::string errors_html(const Figure& figure) {
             rows += error == nullptr
                         ? R"(<td class="num none">–</td>)"
                         : error_cell(error->mean, fmt::format("max {:.3g}", error->max),
-                                     "largest at " + error->where);
+                                     error->where.empty() ? "" : "largest at " + error->where);
         }
         rows += "</tr>\n";
     }

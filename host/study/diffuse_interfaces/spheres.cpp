@@ -1,4 +1,6 @@
 // Figures 4, 7, 8 and 9: materials as spheres and slices.
+#include <fmt/format.h>
+
 #include <array>
 
 #include "core/paths.h"
@@ -15,6 +17,8 @@ namespace lacquer::study {
 namespace {
 
 constexpr double kSliceAngle_deg = 45.0;
+constexpr std::array kChannels{"red", "green", "blue"};
+constexpr std::array kChannelColors{"#d4573f", "#3ba35a", "#3a86c8"};
 
 constexpr const char* kMeasure =
     "mean |difference| of the pixels over their mean; max is the largest of a pixel, in radiance, "
@@ -55,17 +59,15 @@ Plots hue_plots(const Material& tinted, const Material& clear, const StudyRun& r
     for (const Material* material : {&tinted, &clear}) {
         Plot plot = empty_plot(material->name, kCosine, "albedo", 1.0);
         const ModelLight model{*material, Model::coated_exact};
-        for (int channel = 2; channel >= 0; --channel) {
+        for (int channel = 0; channel < 3; ++channel) {
             const AlbedoPlot part{"", Light::total, channel};
             Curve curve = model_albedo(part, model), dots = simulated_albedo(part, *material, run);
-            curve.label = std::array{"red", "green", "blue"}[static_cast<std::size_t>(channel)];
+            curve.label = kChannels[static_cast<std::size_t>(channel)];
+            curve.color = dots.color = kChannelColors[static_cast<std::size_t>(channel)];
             dots.label.clear();
             plot.curves.push_back(std::move(curve));
             plot.curves.push_back(std::move(dots));
         }
-        // The plot's first three colours are blue, red and green.
-        std::swap(plot.curves[2], plot.curves[4]);
-        std::swap(plot.curves[3], plot.curves[5]);
         plots.plots.push_back(std::move(plot));
     }
     return plots;
@@ -118,16 +120,18 @@ Figure multiple_scattering_figure(const StudyRun& run) {
         "squared "
         "times the solid angle. openpbr-coat has the depth, and loses light at grazing angles.",
         kMeasure};
-    const Material material = coated(1.5, 0.3, {0.95, 0.55, 0.2});
+    const Rgb base{0.95, 0.55, 0.2};
+    const Material material = coated(1.5, 0.3, base);
     add_coated(figure, material, run);
     const auto models = models_of(material, compared_models());
     Plots plots{"Albedo over the viewer's angle", {}};
-    for (int channel = 0; channel < 3; ++channel)
+    for (int channel = 0; channel < 3; ++channel) {
+        const auto index = static_cast<std::size_t>(channel);
+        const std::string title =
+            fmt::format("{}, albedo of the base {}", kChannels[index], base[index]);
         plots.plots.push_back(
-            albedo_plot({std::array{"red, base 0.95", "green, base 0.55",
-                                    "blue, base 0.2"}[static_cast<std::size_t>(channel)],
-                         Light::total, channel, 1.2},
-                        material, models, {}, run));
+            albedo_plot({title, Light::total, channel, 1.2}, material, models, {}, run));
+    }
     figure.panels.emplace_back(std::move(plots));
     return figure;
 }
