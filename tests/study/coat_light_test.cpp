@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "simulator/albedo.h"
 #include "simulator/slice.h"
 
 namespace lacquer::study {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kSigmas = 4.5;         // of 3 x 8 sums: two-sided 2e-4 with Sidak's correction
 constexpr double kInterpolated = 0.01;  // share of a sum that lines between rings are off by
+constexpr double kRingError = 0.01;     // of the rings together, from so many walks
 constexpr int kSectors = 8;             // of azimuth
 constexpr std::uint64_t kWalks = 1 << 19;
 
@@ -67,12 +69,34 @@ TEST(CoatLight, PicturesAgreeWithWalksCountedPerPixel) {
             for (std::size_t c = 0; c < 3; ++c) {
                 const Sum &a = pictures[sector][c], &b = walks[sector][c];
                 // Pixels share their rings: their errors add up, not their variances.
-                const double rings = 0.01 * a.value;
+                const double rings = kRingError * a.value;
                 EXPECT_NEAR(
                     a.value, b.value,
                     kSigmas * std::sqrt(a.variance + b.variance) + rings + kInterpolated * b.value)
                     << "eta " << eta << ", sector " << sector << ", channel " << c;
             }
+    }
+}
+
+// Lit from behind, a sphere shows its sky alone.
+TEST(CoatLight, SkyLightOfASphereIsItsAlbedo) {
+    constexpr double kBetweenViewers = 2e-3;  // lines instead of the albedo's bends, 1/64 apart
+    const Material material = glaze(1.5, 0.2);
+    const View view{"back", "back", sphere_grid("back", {0.0, 0.0, -1.0}, 16), 1.0};
+    StudyRun run;
+    run.samples = kWalks;
+    const Radiance radiance = simulate(view, material, run);
+    const simulator::StackWalk stack{material};
+    for (std::size_t i = 0; i < radiance.values.size(); i += 37) {
+        const double cos_theta_o = query_of(view.grid, i).wo.z;
+        const auto albedo = simulator::estimate_albedo(stack, cos_theta_o, {kWalks / 8, i, {}});
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int channel = static_cast<int>(c);
+            EXPECT_NEAR(radiance.values[i][channel], albedo.total.mean[c],
+                        kBetweenViewers + kSigmas * std::hypot(radiance.errors[i][channel],
+                                                               albedo.total.standard_error[c]))
+                << "cos_theta_o " << cos_theta_o << ", channel " << c;
+        }
     }
 }
 
