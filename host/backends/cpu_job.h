@@ -79,7 +79,7 @@ JobResult run_queries(const Job& job, const RunOne& run_one) {
     return result;
 }
 
-// The kernel `lights`, which unlike the others reads the rows of other queries, and whose preparing
+// The kernel `lights` (Surface also has `view`), which unlike the others reads the rows of other queries, and whose preparing
 // is part of what it measures.
 template <typename Real, typename Prepare>
 JobResult run_lights(const Job& job, const Prepare& prepare) {
@@ -87,10 +87,10 @@ JobResult run_lights(const Job& job, const Prepare& prepare) {
     return run_queries(job, [&](std::uint64_t query, const glm::vec4* inputs, glm::dvec4* results) {
         using Vector = glm::vec<3, Real>;
         const auto surface = prepare(job.materials[query / job.queries_per_material]);
-        const Vector wo{*inputs};
+        const auto view = surface.view(Vector{*inputs});
         Vector sum{0};
         for (std::uint64_t n = 1; n <= job.parameters.point_count; ++n)
-            sum += surface.eval_cos(Vector{job.inputs[(query + n) % query_count]}, wo);
+            sum += view.eval_cos(Vector{job.inputs[(query + n) % query_count]});
         *results = glm::dvec4{sum, 1.0};
     });
 }

@@ -12,6 +12,8 @@ namespace {
 
 constexpr const char* kDevice = "double precision, all cores";
 
+struct ReferenceView;
+
 // The reference under the member names that run_query calls.
 struct ReferenceSurface {
     using Vector = glm::dvec3;
@@ -21,12 +23,25 @@ struct ReferenceSurface {
     Vector eval_cos(const Vector& wi, const Vector& wo) const {
         return eval(wi, wo) * std::max(wi.z, 0.0);
     }
+    ReferenceView view(const Vector& wo) const;
     double pdf(const Vector& wi, const Vector& wo) const { return shading->pdf(wi, wo); }
     reference::Sample sample(const Vector& wo, const Vector& u) const {
         return shading->sample(wo, u);
     }
     reference::Albedo albedo(const Vector& wo, int) const { return shading->albedo(wo); }
 };
+
+// A viewer of it, as run_lights asks for.
+struct ReferenceView {
+    const ReferenceSurface* surface;
+    glm::dvec3 wo;
+
+    glm::dvec3 eval_cos(const glm::dvec3& wi) const { return surface->eval_cos(wi, wo); }
+};
+
+ReferenceView ReferenceSurface::view(const glm::dvec3& wo) const {
+    return {this, wo};
+}
 
 // It shades the material as the other backends read it: rounded to float, like its directions.
 class ReferenceBackend final : public Backend {

@@ -17,9 +17,17 @@ using shader::Real;
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wsubobject-linkage"
 template <>
-struct Bsdf<Real>::Shading {
-    using Vector = shader::vec3;
+struct BsdfView<Real>::Shading {
     virtual ~Shading() = default;
+    virtual shader::vec3 eval_cos(const shader::vec3& wi) const = 0;
+};
+
+template <>
+struct Bsdf<Real>::Shading : std::enable_shared_from_this<Shading> {
+    using Vector = shader::vec3;
+    using View = std::shared_ptr<const BsdfView<Real>::Shading>;
+    virtual ~Shading() = default;
+    virtual View view(const Vector& wo) const = 0;
     virtual Vector eval(const Vector& wi, const Vector& wo) const = 0;
     virtual Vector eval_cos(const Vector& wi, const Vector& wo) const = 0;
     virtual Real pdf(const Vector& wi, const Vector& wo) const = 0;
@@ -46,32 +54,66 @@ shader::LqOneCoat to_one_coat(const OneCoatParameters& parameters) {
             to_vector(parameters.eta),           to_vector(parameters.kappa)};
 }
 
-// The functions lq_LEVEL_* over a surface that lq_LEVEL_prepare made.
-template <auto Eval, auto EvalCos, auto Pdf, auto Sample, auto Albedo, typename Surface>
+// The functions of a level, over a surface that lq_LEVEL_prepare made: traits as below.
+template <typename Functions, typename Surface>
 class Level final : public Bsdf<Real>::Shading {
  public:
     explicit Level(const Surface& surface) : surface_{surface} {}
+    View view(const Vector& wo) const override {
+        return std::make_shared<const Viewed>(
+            std::static_pointer_cast<const Level>(shared_from_this()), wo);
+    }
     Vector eval(const Vector& wi, const Vector& wo) const override {
-        return Eval(surface_, wi, wo);
+        return Functions::eval(surface_, wi, wo);
     }
     Vector eval_cos(const Vector& wi, const Vector& wo) const override {
-        return EvalCos(surface_, wi, wo);
+        return Functions::eval_cos(surface_, wi, wo);
     }
-    Real pdf(const Vector& wi, const Vector& wo) const override { return Pdf(surface_, wi, wo); }
+    Real pdf(const Vector& wi, const Vector& wo) const override {
+        return Functions::pdf(surface_, wi, wo);
+    }
     shader::LqSample sample(const Vector& wo, const Vector& u) const override {
-        return Sample(surface_, wo, u);
+        return Functions::sample(surface_, wo, u);
     }
     shader::LqAlbedo albedo(const Vector& wo, int point_count) const override {
-        return Albedo(surface_, wo, point_count);
+        return Functions::albedo(surface_, wo, point_count);
     }
 
  private:
+    class Viewed final : public BsdfView<Real>::Shading {
+     public:
+        Viewed(std::shared_ptr<const Level> level, const Vector& wo)
+            : level_{std::move(level)}, view_{Functions::view(level_->surface_, wo)} {}
+        Vector eval_cos(const Vector& wi) const override {
+            return Functions::eval_light(level_->surface_, view_, wi);
+        }
+
+     private:
+        std::shared_ptr<const Level> level_;
+        decltype(Functions::view(std::declval<const Surface&>(), Vector{})) view_;
+    };
+
     Surface surface_;
 };
 
-template <auto Eval, auto EvalCos, auto Pdf, auto Sample, auto Albedo, typename Surface>
+// Of a level that finds out nothing about a viewer.
+template <auto Eval, auto EvalCos, auto Pdf, auto Sample, auto Albedo>
+struct Functions {
+    static constexpr auto eval = Eval;
+    static constexpr auto eval_cos = EvalCos;
+    static constexpr auto pdf = Pdf;
+    static constexpr auto sample = Sample;
+    static constexpr auto albedo = Albedo;
+    static shader::vec3 view(const auto&, const shader::vec3& wo) { return wo; }
+    static shader::vec3 eval_light(const auto& surface, const shader::vec3& wo,
+                                   const shader::vec3& wi) {
+        return EvalCos(surface, wi, wo);
+    }
+};
+
+template <typename Functions, typename Surface>
 std::shared_ptr<const Bsdf<Real>::Shading> level(const Surface& surface) {
-    return std::make_shared<const Level<Eval, EvalCos, Pdf, Sample, Albedo, Surface>>(surface);
+    return std::make_shared<const Level<Functions, Surface>>(surface);
 }
 
 shader::LqCoatedMaterial to_coated(const OneCoatParameters& parameters, int base_lobe) {
@@ -85,28 +127,35 @@ shader::LqAlbedo coated_albedo(const shader::LqCoatedSurface& surface, const sha
     return shader::lq_coated_albedo(surface, wo);
 }
 
+struct CoatedFunctions : Functions<shader::lq_coated_eval, shader::lq_coated_eval_cos,
+                                   shader::lq_coated_pdf, shader::lq_coated_sample, coated_albedo> {
+    static constexpr auto view = shader::lq_coated_view;
+    static constexpr auto eval_light = shader::lq_coated_eval_light;
+};
+
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {
     using namespace shader;
     const LqOneCoat surface = to_one_coat(one_coat_parameters(material, model));
     switch (model) {
         case Model::plain:
-            return level<lq_plain_eval, lq_plain_eval_cos, lq_plain_pdf, lq_plain_sample,
-                         lq_plain_albedo>(lq_plain_prepare(surface));
+            return level<Functions<lq_plain_eval, lq_plain_eval_cos, lq_plain_pdf, lq_plain_sample,
+                                   lq_plain_albedo>>(lq_plain_prepare(surface));
         case Model::clearcoat:
-            return level<lq_clearcoat_eval, lq_clearcoat_eval_cos, lq_clearcoat_pdf,
-                         lq_clearcoat_sample, lq_clearcoat_albedo>(lq_clearcoat_prepare(surface));
+            return level<Functions<lq_clearcoat_eval, lq_clearcoat_eval_cos, lq_clearcoat_pdf,
+                                   lq_clearcoat_sample, lq_clearcoat_albedo>>(
+                lq_clearcoat_prepare(surface));
         case Model::weidlich_wilkie:
-            return level<lq_weidlich_wilkie_eval, lq_weidlich_wilkie_eval_cos,
-                         lq_weidlich_wilkie_pdf, lq_weidlich_wilkie_sample,
-                         lq_weidlich_wilkie_albedo>(lq_weidlich_wilkie_prepare(surface));
+            return level<Functions<lq_weidlich_wilkie_eval, lq_weidlich_wilkie_eval_cos,
+                                   lq_weidlich_wilkie_pdf, lq_weidlich_wilkie_sample,
+                                   lq_weidlich_wilkie_albedo>>(lq_weidlich_wilkie_prepare(surface));
         case Model::openpbr_coat:
-            return level<lq_openpbr_coat_eval, lq_openpbr_coat_eval_cos, lq_openpbr_coat_pdf,
-                         lq_openpbr_coat_sample, lq_openpbr_coat_albedo>(
+            return level<
+                Functions<lq_openpbr_coat_eval, lq_openpbr_coat_eval_cos, lq_openpbr_coat_pdf,
+                          lq_openpbr_coat_sample, lq_openpbr_coat_albedo>>(
                 lq_openpbr_coat_prepare(surface));
         case Model::coated_ggx:
         case Model::coated_exact:
-            return level<lq_coated_eval, lq_coated_eval_cos, lq_coated_pdf, lq_coated_sample,
-                         coated_albedo>(lq_coated_prepare(
+            return level<CoatedFunctions>(lq_coated_prepare(
                 to_coated(one_coat_parameters(material, model),
                           model == Model::coated_ggx ? LQ_BASE_LOBE_GGX : LQ_BASE_LOBE_EXACT)));
     }
@@ -114,6 +163,14 @@ std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, 
 }
 
 }  // namespace
+
+template <typename T>
+BsdfView<T>::BsdfView(std::shared_ptr<const Shading> shading) : shading_{std::move(shading)} {}
+
+template <typename T>
+Vec3<T> BsdfView<T>::eval_cos(const Vec3<T>& wi) const {
+    return shading_->eval_cos(wi);
+}
 
 template <typename T>
 Bsdf<T>::Bsdf(std::shared_ptr<const Shading> shading) : shading_{std::move(shading)} {}
@@ -126,6 +183,11 @@ Vec3<T> Bsdf<T>::eval(const Vec3<T>& wi, const Vec3<T>& wo) const {
 template <typename T>
 Vec3<T> Bsdf<T>::eval_cos(const Vec3<T>& wi, const Vec3<T>& wo) const {
     return shading_->eval_cos(wi, wo);
+}
+
+template <typename T>
+BsdfView<T> Bsdf<T>::view(const Vec3<T>& wo) const {
+    return BsdfView<T>{shading_->view(wo)};
 }
 
 template <typename T>
@@ -145,6 +207,7 @@ DirectionalAlbedo<T> Bsdf<T>::albedo(const Vec3<T>& wo, int point_count) const {
     return {albedo.direct, albedo.base};
 }
 
+template class BsdfView<Real>;
 template class Bsdf<Real>;
 
 template <>

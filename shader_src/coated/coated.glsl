@@ -8,6 +8,7 @@
 #include "../core/shading.glsl"
 #include "base_lobe.glsl"
 #include "coat_lobe.glsl"
+#include "prefiltered.glsl"
 #include "surface.glsl"
 
 // f(wi, wo) cos_theta_i for a viewer that `lq_coated_view` knows; 0 unless wi is above the surface.

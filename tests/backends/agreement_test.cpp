@@ -21,6 +21,9 @@ constexpr double kMedianRelativeError = 3e-7;
 // Below this an error counts in absolute terms.
 constexpr double kSmallValue = 1e-3;
 
+// Of the kernel of that name.
+constexpr std::uint32_t kLights = 3;
+
 double relative_error(double value, double expected) {
     return std::abs(value - expected) / std::max(std::abs(expected), kSmallValue);
 }
@@ -50,7 +53,8 @@ TEST_P(BackendAgreement, WithTheReference) {
     if (!backend) GTEST_SKIP() << skipped;
     // An albedo is hundreds of evaluations.
     const std::uint64_t queries_per_material = kernel == Kernel::albedo ? 64 : 4096;
-    const OwnedJob owned = make_job(kernel, test_materials(), queries_per_material);
+    OwnedJob owned = make_job(kernel, test_materials(), queries_per_material);
+    if (kernel == Kernel::lights) owned.parameters.point_count = kLights;
     const JobResult result = backend->run(owned.job());
     EXPECT_GT(result.seconds, 0.0);
     expect_agreement(result.rows, expected_rows(owned.job(), result.rows));
@@ -65,10 +69,12 @@ TEST_P(ModelAgreement, WithTheReference) {
     std::string skipped;
     const auto backend = create_or_explain(name, skipped);
     if (!backend) GTEST_SKIP() << skipped;
-    for (const Kernel kernel : {Kernel::eval, Kernel::sphere, Kernel::sample, Kernel::albedo}) {
+    for (const Kernel kernel :
+         {Kernel::eval, Kernel::sphere, Kernel::sample, Kernel::albedo, Kernel::lights}) {
         OwnedJob owned = make_job(kernel, shadeable(test_materials(), model),
                                   kernel == Kernel::albedo ? 32 : 1024);
         owned.model = model;
+        if (kernel == Kernel::lights) owned.parameters.point_count = kLights;
         const JobResult result = backend->run(owned.job());
         SCOPED_TRACE(kernel_shape(kernel).name);
         expect_agreement(result.rows, expected_rows(owned.job(), result.rows),

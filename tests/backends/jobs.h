@@ -24,7 +24,8 @@ struct OwnedJob {
 };
 
 inline constexpr Kernel kAllKernels[] = {Kernel::eval,   Kernel::slice,  Kernel::sphere,
-                                         Kernel::sample, Kernel::albedo, Kernel::copy};
+                                         Kernel::sample, Kernel::albedo, Kernel::lights,
+                                         Kernel::copy};
 
 // All models but `plain`.
 std::vector<Model> other_models();

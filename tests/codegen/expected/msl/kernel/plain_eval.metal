@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // Metal Shading Language 2.2, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 27a96a61f39c6af99766b6758acfc7bb8400925ce0b62249296f71bd882e7f10.
+// Generated; source sha256 ed2635461f920d9c7f38ca4ea7495d479445b98f77698299984af827cde78776.
 
 #include <metal_stdlib>
 
