@@ -1,0 +1,29 @@
+// The light that comes back through a stack from a Lambertian base, exact but for the transport of
+// the stack: since the base forgets directions and all above it is reciprocal,
+//
+//   f(wi, wo) = T(wi) T(wo) rho / (pi n^2 (1 - rho R_bar))
+//
+// with T(w) the light arriving along w that reaches the base for the first time, R_bar the light
+// leaving the base diffusely that returns to it, and n the index above the base over the
+// exterior's. Based on: de Dinechin and Belcour 2022, Rendering Layered Materials with Diffuse
+// Interfaces, Eq. 3
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "reference/stack/layers.h"
+
+namespace lacquer::reference {
+
+struct DiffuseBase {
+    glm::dvec3 spread;    // rho / (pi n^2 (1 - rho R_bar))
+    glm::dvec3 returned;  // of the light that has arrived, what leaves the stack
+};
+
+// `albedo` of the base in [0, 1].
+DiffuseBase prepare_diffuse_base(const StackLayers& layers, const glm::dvec3& albedo);
+
+// T(w) at cos_theta in (0, 1].
+glm::dvec3 arriving(const StackLayers& layers, double cos_theta);
+
+}  // namespace lacquer::reference

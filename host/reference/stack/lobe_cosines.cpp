@@ -1,0 +1,67 @@
+#include "reference/stack/lobe_cosines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "reference/facets.h"
+#include "reference/shading.h"
+
+namespace lacquer::reference {
+
+namespace {
+
+// Steeper light has no visible facets to mirror it.
+constexpr double kLeastCosine = 0.014;
+
+// Equal parts of cosine-weighted directions.
+void add_diffuse(LobeCosines& lobe, double weight) {
+    constexpr double kParts = LobeCosines::kDiffuse;
+    for (std::size_t n = 0; n < LobeCosines::kDiffuse; ++n)
+        lobe.add(std::sqrt((static_cast<double>(n) + 0.5) / kParts), weight / kParts);
+}
+
+}  // namespace
+
+void LobeCosines::add(double cosine, double weight) {
+    cosines[count] = cosine;
+    weights[count] = weight;
+    ++count;
+}
+
+double LobeCosines::mean() const {
+    double sum = 0.0;
+    for (std::size_t n = 0; n < count; ++n) sum += weights[n] * cosines[n];
+    return sum;
+}
+
+LobeCosines lobe_cosines(const LobeShape& shape) {
+    LobeCosines lobe;
+    const double alpha = alpha_of_variance(shape.variance);
+    if (alpha < kMinAlpha) {
+        lobe.add(cosine_of(shape), 1.0);
+        return lobe;
+    }
+    const glm::dvec3 w = direction_of(std::max(cosine_of(shape), kLeastCosine));
+    const Facets facets{Ndf::ggx, alpha, alpha};
+    double mirrored = 0.0;
+    for (const glm::dvec3& wm : visible_facets(w, alpha)) {
+        const glm::dvec3 wr = 2.0 * glm::dot(w, wm) * wm - w;
+        if (wr.z <= 0.0) continue;
+        // Of what w sees, wr sees G2 / G1.
+        const double weight = masking_shadowing(facets, w, wr) / masking(facets, w) /
+                              static_cast<double>(std::tuple_size_v<VisibleFacets>);
+        lobe.add(wr.z, weight);
+        mirrored += weight;
+    }
+    add_diffuse(lobe, 1.0 - mirrored);
+    return lobe;
+}
+
+LobeCosines diffuse_cosines() {
+    LobeCosines lobe;
+    add_diffuse(lobe, 1.0);
+    return lobe;
+}
+
+}  // namespace lacquer::reference
