@@ -25,11 +25,10 @@ struct Tolerance {
 // bundled material, gives 9.5e-5.
 inline constexpr Tolerance kFloatTolerance{1e-4, 3e-7};
 
-// The base lobe of `coated-ggx` has the roughness of the variance of the light that leaves. Near
-// that of a Lambertian lobe, 0.25, roughness grows 2.7 times as fast as variance, relatively, and
-// the density in the middle of the lobe falls with its square: the 1e-7 of the variance, a
-// difference of two moments, counts five times.
-inline constexpr Tolerance kNormalLobeTolerance{1e-4, 6e-7};
+// The base lobe of `coated-ggx` has the roughness of the variance of the light that leaves, a
+// quotient of sums of some forty products, which the density in the middle of the lobe answers to
+// with its square: some 90 roundings in all, 3.3e-7, and room as above.
+inline constexpr Tolerance kNormalLobeTolerance{1e-4, 4e-7};
 
 // The tolerance of a model on the backend of that name. All backends have the same so far: a
 // language that needs more is a formula to mend, or a reason to be written here.

@@ -66,9 +66,9 @@ LqFacets lq_coated_base_facets(const LqInterface energies, const vec3 returned) 
     const vec4 entering = energies.entering;
     const vec3 light = vec3(entering.x, entering.y, entering.z) * returned;
     const float sum = light.x + light.y + light.z;
-    const vec3 variances = lq_interface_variance(energies);
-    const float variance = sum > LQ_MIN_ENERGY ? dot(light, variances) / sum : variances.x;
-    const float alpha = lq_equivalent_alpha(variance);
+    const vec3 spreads = lq_interface_spread(energies);
+    const float spread = sum > LQ_MIN_ENERGY ? dot(light, spreads) / sum : spreads.x;
+    const float alpha = lq_equivalent_alpha(energies.critical, spread);
     return lq_facets_prepare(LQ_NDF_GGX, alpha, alpha);
 }
 

@@ -168,23 +168,42 @@ float lq_interface_fgd_multiple(const LqInterface energies, const float cos_thet
     return clamp(lq_direction_value(energies.multiple, energies.critical, cos_theta), 0.0, 1.0);
 }
 
-// sigma_2+: variance of the light that leaves, per axis of the projected disk and colour channel.
-vec3 lq_interface_variance(const LqInterface energies) {
+// How far the light that leaves spreads, per colour channel: the mean of its sin^2_theta, less
+// lq_mean_sine_squared, which is what light through a smooth interface has about.
+vec3 lq_interface_spread(const LqInterface energies) {
     const vec4 spread =
         lq_direction_integrals(energies.transmission, lq_spread_weights(energies.critical)) /
         max(energies.entering, vec4(LQ_MIN_ENERGY));
-    const vec4 variance =
-        clamp(0.5 * (vec4(lq_mean_sine_squared(energies.critical)) + spread), vec4(0.0), vec4(0.5));
-    return vec3(variance.x, variance.y, variance.z);
+    return vec3(spread.x, spread.y, spread.z);
+}
+
+// sigma_2+: variance of that light per axis of the projected disk, in [0, 0.5].
+float lq_spread_variance(const float critical, const float spread) {
+    return clamp(0.5 * (lq_mean_sine_squared(critical) + spread), 0.0, 0.5);
+}
+
+// Where a variance is on the table of lobes, spaced as squares. Next to the largest, which is near
+// that of diffuse light, roughness grows 2.7 times as fast as variance: counted from there, by what
+// is missing, so that the difference of the two is not rounded twice.
+LqSegment lq_lobe_segment(const float critical, const float spread) {
+    const int most = LQ_LOBE_VARIANCES - 1;
+    const float variance = lq_spread_variance(critical, spread);
+    if (variance < 0.5 * LQ_MAX_LOBE_VARIANCE) {
+        return lq_table_segment(lq_safe_sqrt(variance / LQ_MAX_LOBE_VARIANCE) * float(most),
+                                LQ_LOBE_VARIANCES);
+    }
+    const float missing =
+        (LQ_MAX_LOBE_VARIANCE - 0.5 * lq_mean_sine_squared(critical)) - 0.5 * spread;
+    const float share = clamp(missing / LQ_MAX_LOBE_VARIANCE, 0.0, 1.0);
+    const LqSegment from_most = lq_table_segment(
+        share / (1.0 + lq_safe_sqrt(1.0 - share)) * float(most), LQ_LOBE_VARIANCES);
+    return LqSegment(most - from_most.low, most - from_most.high, from_most.share);
 }
 
 // alpha_2+: roughness of the GGX lobe, of light along the normal, that has this variance; and the
 // share of light that its single scattering keeps.
-float lq_equivalent_alpha(const float variance) {
-    const float position =
-        lq_safe_sqrt(variance / LQ_MAX_LOBE_VARIANCE) * float(LQ_LOBE_VARIANCES - 1);
-    const LqSegment segment = lq_table_segment(position, LQ_LOBE_VARIANCES);
-    return lq_table_read_line(segment, 1, LQ_LOBE_ALPHA).low.x;
+float lq_equivalent_alpha(const float critical, const float spread) {
+    return lq_table_read_line(lq_lobe_segment(critical, spread), 1, LQ_LOBE_ALPHA).low.x;
 }
 
 float lq_normal_lobe_energy(const float alpha) {

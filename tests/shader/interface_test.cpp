@@ -91,8 +91,9 @@ TEST(Interface, VarianceIsTheReferencesWhereLightGetsThrough) {
         const double energy = reference().t_down_profile(alpha, eta, tau).average();
         if (energy < 1e-3) continue;  // a quotient of two roundings
         const auto energies = shader::lq_interface_prepare(real(alpha), real(eta), vec3{real(tau)});
-        EXPECT_NEAR(shader::lq_interface_variance(energies).x,
-                    reference().variance(alpha, eta, tau), (roundings(kSum) + kPosition) / energy)
+        EXPECT_NEAR(
+            shader::lq_spread_variance(energies.critical, shader::lq_interface_spread(energies).x),
+            reference().variance(alpha, eta, tau), (roundings(kSum) + kPosition) / energy)
             << alpha << " " << eta << " " << tau;
     }
 }
@@ -100,7 +101,7 @@ TEST(Interface, VarianceIsTheReferencesWhereLightGetsThrough) {
 TEST(Interface, LobesOfLightAlongTheNormal) {
     for (int n = 0; n <= 100; ++n) {
         const double x = n / 100.0;
-        EXPECT_NEAR(shader::lq_equivalent_alpha(real(0.3 * x)),
+        EXPECT_NEAR(shader::lq_equivalent_alpha(real(0), real(2 * 0.3 * x - 0.5)),
                     reference().equivalent_alpha(0.3 * x), roundings(kSum) + kPosition);
         EXPECT_NEAR(shader::lq_normal_lobe_energy(real(x)), reference().mirror_single(1.0, x),
                     roundings(kSum) + kPosition);

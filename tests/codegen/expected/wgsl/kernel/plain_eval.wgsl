@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // WGSL, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 ed2635461f920d9c7f38ca4ea7495d479445b98f77698299984af827cde78776.
+// Generated; source sha256 e46d7c93ce5dd83d2f79b3c193e262c3c0e39a975198c9b6d50356df34946a07.
 
 const LQ_PI: f32 = 3.1415927;
 const LQ_INVERSE_PI: f32 = 0.31830987;
