@@ -46,7 +46,8 @@ struct CompiledVariant {
 };
 
 // What users of a level call: lq_LEVEL_*.
-constexpr std::string_view kVerbs[] = {"prepare", "eval", "eval_cos", "sample", "pdf", "albedo"};
+constexpr std::string_view kVerbs[] = {"prepare", "view", "eval",   "eval_cos", "view_eval_cos",
+                                       "sample",  "pdf",  "albedo", "profile",  "base_prefiltered"};
 
 std::string hash_of(const SourceTree& tree, const std::vector<SourceModule>& modules) {
     std::string all;

@@ -36,7 +36,8 @@ std::string_view table_access(text::Dialect dialect) {
             return "uint4 lq_table_texel(int index) { return TABLES.Load(int3(index % 128, index / "
                    "128, 0)); }";
         case text::Dialect::wgsl:
-            return "fn lq_table_texel(index: i32) -> vec4u { return textureLoad(TABLES, vec2i(index "
+            return "fn lq_table_texel(index: i32) -> vec4u { return textureLoad(TABLES, "
+                   "vec2i(index "
                    "% 128, index / 128), 0); }";
         case text::Dialect::msl:
             return "static inline uint4 lq_table_texel(int index) { return TABLES[index]; }  // "

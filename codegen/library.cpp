@@ -13,7 +13,7 @@ bool is_public(const Declaration& declaration) {
 }
 
 // Table access for the compiler: no module declares it, so that it is not in the library.
-constexpr std::string_view kStandIn = 
+constexpr std::string_view kStandIn =
     "uvec4 {}(const int index) {{ return uvec4(uint(index)); }}\n";
 
 // A call with arguments that were never set, in a scope of its own.

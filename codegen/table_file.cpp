@@ -26,8 +26,7 @@ TableFile table_file(const std::filesystem::path& folder) {
     file.height = (texels.size() + kTexelColumns - 1) / kTexelColumns;
     for (std::size_t index = 0; index < file.width * file.height; ++index)
         for (int channel = 0; channel < 4; ++channel)
-            append_little_endian(file.contents,
-                                 index < texels.size() ? texels[index][channel] : 0);
+            append_little_endian(file.contents, index < texels.size() ? texels[index][channel] : 0);
     file.sha256 = sha256(file.contents);
     return file;
 }

@@ -7,8 +7,8 @@
 
 namespace lacquer::codegen {
 
-// The packed texels, from the table files in `folder`. Throws Error naming the one that is missing or
-// damaged.
+// The packed texels, from the table files in `folder`. Throws Error naming the one that is missing
+// or damaged.
 TableFile table_file(const std::filesystem::path& folder);
 
 }  // namespace lacquer::codegen

@@ -79,8 +79,8 @@ JobResult run_queries(const Job& job, const RunOne& run_one) {
     return result;
 }
 
-// The kernel `lights` (Surface also has `view`), which unlike the others reads the rows of other queries, and whose preparing
-// is part of what it measures.
+// The kernel `lights` (Surface also has `view`), which unlike the others reads the rows of other
+// queries, and whose preparing is part of what it measures.
 template <typename Real, typename Prepare>
 JobResult run_lights(const Job& job, const Prepare& prepare) {
     const std::uint64_t query_count = job.query_count();

@@ -132,7 +132,8 @@ double device_or_all(const Timing& timing) {
 LightTiming time_lights(Backend& backend, Job job, Model model, int runs) {
     job.model = model;
     job.kernel = Kernel::lights;
-    job.queries_per_material = std::max<std::uint64_t>(job.queries_per_material / kQueriesPerPoint, 1);
+    job.queries_per_material =
+        std::max<std::uint64_t>(job.queries_per_material / kQueriesPerPoint, 1);
     const std::vector<glm::vec4> viewers = lattice_viewers(job.queries_per_material);
     job.inputs = viewers;
     job.parameters.point_count = 1;

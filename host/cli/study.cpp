@@ -45,6 +45,10 @@ void run_study_suite(const study::Suite& suite, const SimulateOptions& simulate,
                      const std::filesystem::path& report, bool json) {
     study::StudyRun run;
     run.samples = walk_count(simulate, study::kDefaultSamples);
+    if (run.samples < study::kLeastSamples)
+        throw UsageError{
+            fmt::format("--samples: {} is not in [{}, ...]: too few walks for a picture",
+                        run.samples, study::kLeastSamples)};
     run.seed = static_cast<std::uint64_t>(simulate.seed);
     if (!report.empty()) require_report_folder(report);
     study::StudyResult result;

@@ -14,8 +14,9 @@ namespace {
 
 [[noreturn]] void refuse(const Material& material, std::string_view pointer,
                          std::string_view found) {
-    throw Error{fmt::format("material '{}': {}: {}; coated shades one layer over a Lambertian base",
-                            material.name, pointer, found)};
+    throw Error{fmt::format(
+        "material '{}': {}: {}; the coated models shade one layer over a Lambertian base",
+        material.name, pointer, found)};
 }
 
 const Layer& only_layer(const Material& material) {

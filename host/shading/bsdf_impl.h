@@ -85,7 +85,7 @@ class Level final : public Bsdf<Real>::Shading {
         Viewed(std::shared_ptr<const Level> level, const Vector& wo)
             : level_{std::move(level)}, view_{Functions::view(level_->surface_, wo)} {}
         Vector eval_cos(const Vector& wi) const override {
-            return Functions::eval_light(level_->surface_, view_, wi);
+            return Functions::view_eval_cos(level_->surface_, view_, wi);
         }
 
      private:
@@ -105,8 +105,8 @@ struct Functions {
     static constexpr auto sample = Sample;
     static constexpr auto albedo = Albedo;
     static shader::vec3 view(const auto&, const shader::vec3& wo) { return wo; }
-    static shader::vec3 eval_light(const auto& surface, const shader::vec3& wo,
-                                   const shader::vec3& wi) {
+    static shader::vec3 view_eval_cos(const auto& surface, const shader::vec3& wo,
+                                      const shader::vec3& wi) {
         return EvalCos(surface, wi, wo);
     }
 };
@@ -130,7 +130,7 @@ shader::LqAlbedo coated_albedo(const shader::LqCoatedSurface& surface, const sha
 struct CoatedFunctions : Functions<shader::lq_coated_eval, shader::lq_coated_eval_cos,
                                    shader::lq_coated_pdf, shader::lq_coated_sample, coated_albedo> {
     static constexpr auto view = shader::lq_coated_view;
-    static constexpr auto eval_light = shader::lq_coated_eval_light;
+    static constexpr auto view_eval_cos = shader::lq_coated_view_eval_cos;
 };
 
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {

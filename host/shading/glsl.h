@@ -36,9 +36,9 @@ using glm::sqrt;
 namespace lacquer::glsl_float {
 
 using namespace glsl;
+using glm::unpackHalf2x16;
 using glm::vec2;
 using glm::vec3;
-using glm::unpackHalf2x16;
 using glm::vec4;
 
 }  // namespace lacquer::glsl_float

@@ -28,9 +28,9 @@ Estimate operator*(double factor, const Estimate& a) {
     return {factor * a.value, factor * a.error};
 }
 
-// Of dependent or few estimates: at most this uncertain.
+// Of dependent or few estimates: at most this uncertain. `share` beyond [0, 1] extrapolates.
 Estimate mixed(const Estimate& a, const Estimate& b, double share) {
-    return {(1.0 - share) * a.value + share * b.value, (1.0 - share) * a.error + share * b.error};
+    return {(1.0 - share) * a.value + share * b.value, std::abs(1.0 - share) * a.error + std::abs(share) * b.error};
 }
 
 Estimate independent_sum(const Estimate& a, const Estimate& b) {
@@ -153,7 +153,7 @@ BaseLight simulate_base_light(const simulator::StackWalk& stack, double cos_thet
                               const simulator::RunOptions& options) {
     const glm::dvec3 wo{std::sqrt(1.0 - cos_theta_o * cos_theta_o), 0.0, cos_theta_o};
     const auto seen = simulator::estimate_distribution(stack, wo, {rings, 1}, options);
-    return {cos_theta_o, seen.base.rows, seen.base.energy, seen.direct.energy, seen.samples};
+    return {cos_theta_o, seen.base.rows, seen.base.energy, seen.direct.energy};
 }
 
 Radiance simulate(const View& view, const Material& material, const StudyRun& run) {

@@ -25,7 +25,6 @@ struct BaseLight {
     double cos_theta_o = 1.0;
     std::vector<simulator::RgbEstimate> rings;  // energy per ring, of the light that arrived
     simulator::RgbEstimate base, direct;        // albedos
-    std::uint64_t walks = 0;
 };
 
 BaseLight simulate_base_light(const simulator::StackWalk& stack, double cos_theta_o, int rings,

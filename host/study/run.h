@@ -13,6 +13,8 @@ namespace lacquer::study {
 
 // Walks of light in each simulated picture. Curves and numbers take a share of it.
 inline constexpr std::uint64_t kDefaultSamples = 1 << 22;
+// With fewer, parts of a figure may see no light at all.
+inline constexpr std::uint64_t kLeastSamples = 1 << 12;
 
 struct StudyRun {
     std::uint64_t samples = kDefaultSamples;

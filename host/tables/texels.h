@@ -17,7 +17,8 @@ using TableTexel = glm::uvec4;
 // Nodes of an array in the order of their axes, what belongs to one node in consecutive texels.
 std::vector<TableTexel> pack_texels(const std::array<Table, kTableNames.size()>& tables);
 
-// Columns of the texture that holds the texels row after row: LQ_TABLE_COLUMNS of the shader source.
+// Columns of the texture that holds the texels row after row: LQ_TABLE_COLUMNS of the shader
+// source.
 inline constexpr std::size_t kTexelColumns = 128;
 
 // Those of the tables that the program ships with, read once. Throws Error naming the file that is

@@ -12,7 +12,8 @@
 #include "surface.glsl"
 
 // f(wi, wo) cos_theta_i for a viewer that `lq_coated_view` knows; 0 unless wi is above the surface.
-vec3 lq_coated_eval_light(const LqCoatedSurface surface, const LqCoatedView viewer, const vec3 wi) {
+vec3 lq_coated_view_eval_cos(const LqCoatedSurface surface, const LqCoatedView viewer,
+                             const vec3 wi) {
     if (!lq_is_above(wi)) {
         return vec3(0.0);
     }
@@ -92,7 +93,7 @@ LqSample lq_coated_sample(const LqCoatedSurface surface, const vec3 wo, const ve
     if (pdf <= 0.0) {
         return LqSample(wi, vec3(0.0), 0.0);
     }
-    return LqSample(wi, lq_coated_eval_light(surface, viewer, wi) * (1.0 / pdf), pdf);
+    return LqSample(wi, lq_coated_view_eval_cos(surface, viewer, wi) * (1.0 / pdf), pdf);
 }
 
 // Fraction of light from every direction that the coat and the base send to wo: the tables' own.

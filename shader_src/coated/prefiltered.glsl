@@ -4,8 +4,9 @@
 //
 // The functions are 1, 3 c - 2 and 10 c^2 - 12 c + 3, c = cos_theta: orthogonal in c dc over [0, 1], so
 // that the total is exact under light from everywhere. Map k holds the integral, over the directions
-// above a normal, of radiance times function k times cos_theta. For eta < 1 and small alpha T01 has an
-// edge at the critical angle, which three functions blur.
+// above a normal, of radiance times function k times cos_theta. For eta >= 1 that misplaces 0.004 of
+// the light in the mean and 0.02 at most. For eta < 1 T01 has an edge at the critical angle, which
+// three functions blur: 0.12 in the mean, most of the light where next to none gets in.
 #ifndef LQ_COATED_PREFILTERED_GLSL
 #define LQ_COATED_PREFILTERED_GLSL
 
@@ -18,20 +19,22 @@ struct LqCoatedProfile {
     vec3 curvature;
 };
 
+// Of T01 of the colour channels over directions, weighted as lq_direction_weights says.
 vec3 lq_coated_integral(const LqCoatedSurface surface, const vec4 below, const vec4 above) {
     const vec4 integrals = lq_direction_integrals(surface.energies.transmission,
                                                   lq_direction_weights(below, above));
     return vec3(integrals.x, integrals.y, integrals.z);
 }
 
-// Once per shading point.
+// T01 in three functions of the light's cos_theta, for `lq_coated_base_prefiltered`: call it once per
+// shading point.
 LqCoatedProfile lq_coated_profile(const LqCoatedSurface surface) {
     const float critical = surface.energies.critical;
     const float rest = 1.0 - critical;
     // Integrals of T01 c dc, c^2 dc and c^3 dc: polynomials of t^2 (interface/polynomial.glsl).
     const float below = critical * critical;
-    const vec3 first = lq_coated_integral(surface, below * vec4(1.0, -1.0, 0.0, 0.0),
-                                          rest * vec4(critical, rest, 0.0, 0.0));
+    const vec4 entering = surface.energies.entering;
+    const vec3 first = vec3(entering.x, entering.y, entering.z);
     const vec3 second = lq_coated_integral(
         surface, below * critical * vec4(1.0, -2.0, 1.0, 0.0),
         rest * vec4(below, 2.0 * critical * rest, rest * rest, 0.0));

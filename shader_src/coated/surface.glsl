@@ -15,7 +15,8 @@ const int LQ_BASE_LOBE_GGX = 1;    // a GGX lobe about the normal, for prefilter
 const float LQ_LEAST_MULTIPLE_AVERAGE = 0.001;
 
 // `eta` = ior of the coat over that of the exterior, in [1/3, 3]; `tau` in [0, 1], transmittance of
-// the coat along its normal; `albedo` of the base in [0, 1]; `base_lobe` one of LQ_BASE_LOBE_*.
+// the coat along its normal; `albedo` of the base in [0, 1]; `base_lobe` one of LQ_BASE_LOBE_*: 0,
+// light leaves as it does, or 1, as a GGX lobe about the normal, for prefiltered lighting.
 struct LqCoatedMaterial {
     LqFacets coat;
     float eta;
@@ -99,7 +100,7 @@ LqCoatedSurface lq_coated_prepare(const LqCoatedMaterial material) {
     return surface;
 }
 
-// For any number of lights and samples; `wo` above the surface.
+// For any number of lights; `wo` above the surface.
 LqCoatedView lq_coated_view(const LqCoatedSurface surface, const vec3 wo) {
     const float cos_theta_o = clamp(wo.z, 0.0, 1.0);
     const vec4 t_down = lq_interface_t_down(surface.energies, cos_theta_o);

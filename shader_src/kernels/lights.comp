@@ -11,12 +11,12 @@ void main() {
         return;
     }
     const LqModelSurface surface = lq_model_surface(query);
-    const LqModelView view = lq_model_view(surface, lq_input_vector(query));
+    const LqModelView viewer = lq_model_view(surface, lq_input_vector(query));
     vec3 sum = vec3(0.0);
     uint light = query;
     for (uint n = 0u; n < parameters.point_count; n++) {
         light = light + 1u < parameters.query_count ? light + 1u : 0u;
-        sum += lq_model_eval_light(surface, view, lq_input_vector(light));
+        sum += lq_model_view_eval_cos(surface, viewer, lq_input_vector(light));
     }
     results.rows[query] = vec4(sum, 1.0);
 }

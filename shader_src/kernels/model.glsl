@@ -19,5 +19,5 @@
 #ifndef LqModelView
 #define LqModelView vec3
 #define lq_model_view(surface, wo) (wo)
-#define lq_model_eval_light(surface, view, wi) lq_model_eval_cos(surface, wi, view)
+#define lq_model_view_eval_cos(surface, view, wi) lq_model_eval_cos(surface, wi, view)
 #endif

@@ -12,7 +12,7 @@
 #define lq_model_sample lq_coated_sample
 #define LqModelView LqCoatedView
 #define lq_model_view lq_coated_view
-#define lq_model_eval_light lq_coated_eval_light
+#define lq_model_view_eval_cos lq_coated_view_eval_cos
 #define lq_model_albedo(surface, wo, point_count) lq_coated_albedo(surface, wo)
 
 // Rows: (coat alpha x, y, eta, ndf), (tau, base lobe), (albedo, 0).

@@ -21,13 +21,14 @@ void main() {
     const LqFrame frame = lq_sphere_frame(normal);
     const vec3 wo = lq_frame_to_local(frame, vec3(0.0, 0.0, 1.0));
     const LqModelSurface surface = lq_model_unpack(view.surface, 0u);
+    const LqModelView viewer = lq_model_view(surface, wo);
     vec3 radiance = vec3(0.0);
     for (uint light = 0u; light < min(view.light_count, LQ_VIEW_MAX_LIGHTS); light++) {
         const vec4 direction = view.light_directions[light];
         const vec4 irradiance = view.light_irradiances[light];
         const vec3 wi = lq_frame_to_local(frame, vec3(direction.x, direction.y, direction.z));
         radiance += vec3(irradiance.x, irradiance.y, irradiance.z) *
-                    lq_model_eval_cos(surface, wi, wo);
+                    lq_model_view_eval_cos(surface, viewer, wi);
     }
     color = mix(view.background, vec4(lq_display_color(radiance), 1.0), coverage);
 }

@@ -118,13 +118,15 @@ class Chooser {
 
 // The same materials and viewers for every kernel.
 struct Jobs {
-    OwnedJob eval, sample, albedo;
+    OwnedJob eval, sample, albedo, lights;
 };
 
 Jobs random_jobs(Chooser& chooser, Model model, std::uint64_t material_count) {
     Jobs jobs{{Kernel::eval, {}, kQueriesPerMaterial, {}, {}, model},
               {Kernel::sample, {}, kQueriesPerMaterial, {}, {}, model},
-              {Kernel::albedo, {}, kQueriesPerMaterial, {}, {}, model}};
+              {Kernel::albedo, {}, kQueriesPerMaterial, {}, {}, model},
+              {Kernel::lights, {}, kQueriesPerMaterial, {}, {}, model}};
+    jobs.lights.parameters.point_count = 1;
     for (std::uint64_t n = 0; n < material_count; ++n) {
         jobs.eval.materials.push_back(chooser.material());
         const double eta = jobs.eval.materials.back().layers[0].interface.ior;
@@ -134,9 +136,10 @@ Jobs random_jobs(Chooser& chooser, Model model, std::uint64_t material_count) {
             jobs.eval.inputs.insert(jobs.eval.inputs.end(), {wi, wo});
             jobs.sample.inputs.insert(jobs.sample.inputs.end(), {wo, chooser.numbers()});
             jobs.albedo.inputs.push_back(wo);
+            jobs.lights.inputs.push_back(query % 2 == 0 ? wi : wo);  // a light, then its viewer
         }
     }
-    jobs.sample.materials = jobs.albedo.materials = jobs.eval.materials;
+    jobs.sample.materials = jobs.albedo.materials = jobs.lights.materials = jobs.eval.materials;
     return jobs;
 }
 
@@ -166,7 +169,7 @@ void expect_sense_of_random_queries(const std::string& backend_name, Model model
     while (left > 0 && !::testing::Test::HasFailure()) {
         const std::uint64_t count = std::min(left, kMaterialsAtOnce);
         const Jobs jobs = random_jobs(chooser, model, count);
-        for (const OwnedJob* owned : {&jobs.eval, &jobs.sample, &jobs.albedo}) {
+        for (const OwnedJob* owned : {&jobs.eval, &jobs.sample, &jobs.albedo, &jobs.lights}) {
             SCOPED_TRACE(kernel_shape(owned->kernel).name);
             const JobResult result = backend->run(owned->job());
             expect_no_nan_infinity_or_negative_light(*owned, result);

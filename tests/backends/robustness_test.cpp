@@ -116,7 +116,7 @@ TEST_P(ModelRobustness, ReturnsNoNanInfinityOrNegativeLight) {
     std::string skipped;
     const auto backend = create_or_explain(name, skipped);
     if (!backend) GTEST_SKIP() << skipped;
-    for (const Kernel kernel : {Kernel::eval, Kernel::sample, Kernel::albedo}) {
+    for (const Kernel kernel : {Kernel::eval, Kernel::sample, Kernel::albedo, Kernel::lights}) {
         const OwnedJob owned = strange_job(kernel, model);
         SCOPED_TRACE(kernel_shape(kernel).name);
         expect_no_nan_infinity_or_negative_light(owned, backend->run(owned.job()));

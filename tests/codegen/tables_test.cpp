@@ -1,6 +1,7 @@
 // The packed tables as a file, read back as an engine would.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -55,12 +56,11 @@ TEST(Tables, AreLeftOutWhereNothingReadsThem) {
 }
 
 TEST(Tables, TheViewersTextureHasAsManyColumnsAsTheFiles) {
-    for (const codegen::ShaderFile& file : everything().files)
-        if (file.path == "glsl450/kernel/coated_sphere_view.frag.glsl") {
-            EXPECT_THAT(file.contents,
-                        testing::HasSubstr(
-                            "LQ_TABLE_COLUMNS = " + std::to_string(table().width) + ";"));
-        }
+    constexpr std::string_view kPath = "glsl450/kernel/coated_sphere_view.frag.glsl";
+    const auto file = std::ranges::find(everything().files, kPath, &codegen::ShaderFile::path);
+    ASSERT_NE(file, everything().files.end());
+    EXPECT_THAT(file->contents, testing::HasSubstr("LQ_TABLE_COLUMNS = " +
+                                                   std::to_string(table().width) + ";"));
 }
 
 }  // namespace

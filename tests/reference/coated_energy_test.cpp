@@ -170,7 +170,8 @@ TEST(Coated, RefusesWhatItCannotShadeByItsPointer) {
     Material material = glaze;
     material.layers.clear();
     EXPECT_EQ(error_of(material),
-              "material 'test': /layers: 0 layers; coated shades one layer over a Lambertian base");
+              "material 'test': /layers: 0 layers; the coated models shade one layer over a "
+              "Lambertian base");
     material.layers = {glaze.layers[0], glaze.layers[0]};
     EXPECT_THAT(error_of(material), testing::HasSubstr("/layers: 2 layers"));
     for (const Base& base : {Base{ConductorBase{}}, Base{DiffuseFacetsBase{}}, Base{NoBase{}}}) {

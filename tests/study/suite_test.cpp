@@ -162,7 +162,7 @@ TEST(SuiteUsage, OptionsOfTheOtherKindOfSuiteAreRefused) {
     expect_failure(run_lacquer({"compare", "--samples", "10"}), kUsage, {"--samples", "default"});
     expect_failure(run_lacquer({"compare", "--suite", "huge"}), kUsage,
                    {"huge", "default", kSuite});
-    for (const char* samples : {"0", "-1", "many"})
+    for (const char* samples : {"0", "-1", "4095", "many"})
         expect_failure(run_lacquer({"compare", "--suite", kSuite, "--samples", samples}), kUsage,
                        {"--samples", samples});
 }

@@ -58,7 +58,8 @@ class Bsdf {
     // f(wi, wo) |cos_theta_i|.
     Vec3<Real> eval_cos(const Vec3<Real>& wi, const Vec3<Real>& wo) const;
 
-    // What depends on wo alone, worked out once: cheaper than eval_cos() from two lights on.
+    // What depends on wo alone, worked out once, for many lights. Only the coated models have much of
+    // it; making a view allocates.
     BsdfView<Real> view(const Vec3<Real>& wo) const;
 
     // Density per steradian with which sample() chooses wi.

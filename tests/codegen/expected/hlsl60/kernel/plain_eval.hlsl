@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 6.0, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 e46d7c93ce5dd83d2f79b3c193e262c3c0e39a975198c9b6d50356df34946a07.
+// Generated; source sha256 187fbfa8342fae9d1cc98ba968d6b6cc3c9d15794e8b3637ea95ba5ddd859aa5.
 
 static const float LQ_PI = 3.1415927f;
 static const float LQ_INVERSE_PI = 0.31830987f;
