@@ -18,28 +18,36 @@ constexpr double kLeastCosine = 0.014;
 void add_diffuse(LobeCosines& lobe, double weight) {
     constexpr double kParts = LobeCosines::kDiffuse;
     for (std::size_t n = 0; n < LobeCosines::kDiffuse; ++n)
-        lobe.add(std::sqrt((static_cast<double>(n) + 0.5) / kParts), weight / kParts);
+        lobe.add(std::sqrt((static_cast<double>(n) + 0.5) / kParts), 0.0, weight / kParts);
 }
 
 }  // namespace
 
-void LobeCosines::add(double cosine, double weight) {
+void LobeCosines::add(double cosine, double sine, double weight) {
     cosines[count] = cosine;
+    sines[count] = sine;
     weights[count] = weight;
     ++count;
 }
 
-double LobeCosines::mean() const {
-    double sum = 0.0;
-    for (std::size_t n = 0; n < count; ++n) sum += weights[n] * cosines[n];
-    return sum;
+void LobePart::add(const LobeCosines& lobe, std::size_t n, double factor) {
+    const double part = lobe.weights[n] * factor;
+    light_ += part;
+    cosine_ += part * lobe.cosines[n];
+    sine_ += part * lobe.sines[n];
+    square_ += part * (1.0 - lobe.cosines[n] * lobe.cosines[n]);
+}
+
+double LobePart::spread() const {
+    const double mean = sine_ / light_;
+    return std::max(square_ / light_ - mean * mean, 0.0);
 }
 
 LobeCosines lobe_cosines(const LobeShape& shape) {
     LobeCosines lobe;
     const double alpha = alpha_of_variance(shape.variance);
     if (alpha < kMinAlpha) {
-        lobe.add(cosine_of(shape), 1.0);
+        lobe.add(cosine_of(shape), shape.sine, 1.0);
         return lobe;
     }
     const glm::dvec3 w = direction_of(std::max(cosine_of(shape), kLeastCosine));
@@ -51,7 +59,7 @@ LobeCosines lobe_cosines(const LobeShape& shape) {
         // Of what w sees, wr sees G2 / G1.
         const double weight = masking_shadowing(facets, w, wr) / masking(facets, w) /
                               static_cast<double>(std::tuple_size_v<VisibleFacets>);
-        lobe.add(wr.z, weight);
+        lobe.add(wr.z, -wr.x, weight);
         mirrored += weight;
     }
     add_diffuse(lobe, 1.0 - mirrored);

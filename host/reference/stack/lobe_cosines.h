@@ -15,12 +15,25 @@ struct LobeCosines {
     static constexpr std::size_t kDiffuse = 4;
     std::array<double, std::tuple_size_v<VisibleFacets> + kDiffuse> cosines;
     std::array<double, std::tuple_size_v<VisibleFacets> + kDiffuse> weights;  // 1 in all
+    std::array<double, std::tuple_size_v<VisibleFacets> + kDiffuse> sines;    // along the mean's
     std::size_t count = 0;
 
-    void add(double cosine, double weight);
+    void add(double cosine, double sine, double weight);
+};
 
-    // Mean of the cosines.
-    double mean() const;
+// Moments of a part of a lobe's light, added up direction by direction.
+class LobePart {
+ public:
+    void add(const LobeCosines& lobe, std::size_t n, double factor);
+
+    double light() const { return light_; }
+    double mean_cosine() const { return cosine_ / light_; }
+
+    // Of the directions projected to the disk, both axes together.
+    double spread() const;
+
+ private:
+    double light_ = 0.0, cosine_ = 0.0, sine_ = 0.0, square_ = 0.0;
 };
 
 // The light that visible facets mirror about the lobe's mean, in proportion to what the surface

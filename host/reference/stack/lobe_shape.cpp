@@ -68,6 +68,11 @@ LobeShape tilted(const LobeShape& shape, double cosine_step) {
     return {sine_of(cosine_of(shape) + cosine_step), shape.variance};
 }
 
+double narrowed(double variance, double spread_ratio) {
+    if (spread_ratio >= 1.0) return variance;
+    return variance_of_alpha(alpha_of_variance(variance) * std::sqrt(spread_ratio));
+}
+
 double reflection_variance(double alpha) {
     return alpha < kMinAlpha ? 0.0 : variance_of_alpha(alpha);
 }

@@ -23,6 +23,10 @@ double alpha_of_variance(double variance);
 // The mean moved towards the normal by `cosine_step`, or away from it by a negative one.
 LobeShape tilted(const LobeShape& shape, double cosine_step);
 
+// The variance of a lobe that is so much less spread on the projected disk (a ratio of squares of
+// widths, in [0, 1]).
+double narrowed(double variance, double spread_ratio);
+
 // Facets of roughness `alpha` reflect a lobe: what they add to its variance. The mean is mirrored.
 // Eqs. 8 and 9.
 double reflection_variance(double alpha);

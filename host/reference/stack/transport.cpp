@@ -19,31 +19,37 @@ constexpr double kLeft = 1e-3;
 // Of a Lambertian lobe, per axis of the projected disk.
 constexpr double kDiffuseVariance = 0.25;
 
+constexpr double kTiny = 1e-30;  // keeps quotients of nothing finite
+
 LobeCosines cosines_of(const Beam& beam) {
     return beam.diffuse ? diffuse_cosines() : lobe_cosines(beam.shape());
 }
 
-// What of a beam passes something that treats directions differently, and how the mean cosines of
-// what passes and of the rest differ from that of the beam.
+// What of a lobe becomes of part of its light: how much it is, and how its mean cosine and its
+// spread differ from the lobe's.
 struct Share {
-    double passing = 0.0;
-    double passing_tilt = 0.0, remaining_tilt = 0.0;
+    double light = 0.0;
+    double tilt = 0.0, narrowing = 1.0;
 };
 
-template <typename Coefficient>
-Share share_of(const LobeCosines& lobe, const Coefficient& coefficient) {
-    double passing = 0.0, cosine = 0.0;
-    for (std::size_t n = 0; n < lobe.count; ++n) {
-        const double part = lobe.weights[n] * coefficient(lobe.cosines[n]);
-        passing += part;
-        cosine += part * lobe.cosines[n];
-    }
-    Share share{passing, 0.0, 0.0};
-    if (lobe.count < 2) return share;
-    const double mean = lobe.mean();
-    if (passing > 0.0) share.passing_tilt = cosine / passing - mean;
-    if (passing < 1.0) share.remaining_tilt = (mean - cosine) / (1.0 - passing) - mean;
+Share share_of(const LobeCosines& lobe, const LobePart& all, const LobePart& part) {
+    Share share{part.light(), 0.0, 1.0};
+    if (lobe.count < 2 || part.light() <= kTiny) return share;
+    share.tilt = part.mean_cosine() - all.mean_cosine();
+    share.narrowing = std::min(part.spread() / std::max(all.spread(), kTiny), 1.0);
     return share;
+}
+
+// That part of a beam, each lobe of it narrower.
+Beam part_of(const Beam& beam, const Share& share) {
+    Beam part = beam;
+    part.diffuse = false;
+    part.sine = tilted(beam.shape(), share.tilt).sine;
+    for (LobeLight& lobe : part.lobes) {
+        lobe.energy *= share.light;
+        lobe.variance = narrowed(lobe.variance, share.narrowing);
+    }
+    return part;
 }
 
 // The beam times a factor per colour that depends on direction.
@@ -52,19 +58,27 @@ Beam attenuated(const Beam& beam, const Factor& factor) {
     const LobeCosines directions = cosines_of(beam);
     const Energy before = beam.energy();
     Energy average{0.0};
-    double light = 0.0, cosine = 0.0;
+    LobePart all, left;
     for (std::size_t n = 0; n < directions.count; ++n) {
-        const Energy part = directions.weights[n] * factor(directions.cosines[n]);
-        average += part;
-        light += glm::dot(part, before);
-        cosine += glm::dot(part, before) * directions.cosines[n];
+        const Energy passing = factor(directions.cosines[n]);
+        average += directions.weights[n] * passing;
+        all.add(directions, n, 1.0);
+        left.add(directions, n, glm::dot(passing, before));
     }
-    Beam result = beam;
+    Share share = share_of(directions, all, left);
+    share.light = 1.0;
+    Beam result = part_of(beam, share);
     for (LobeLight& lobe : result.lobes) lobe.energy *= average;
-    if (light > 0.0 && directions.count > 1)
-        result.sine = tilted(beam.shape(), cosine / light - directions.mean()).sine;
     return result;
 }
+
+// What a medium lets through at an angle.
+struct Crossing {
+    Energy tau;
+    Energy operator()(double cosine) const {
+        return glm::pow(tau, Energy{1.0 / std::max(cosine, 1e-3)});
+    }
+};
 
 class Transport {
  public:
@@ -81,15 +95,18 @@ class Transport {
         down_.front().lobes.front().energy = Energy{1.0};
     }
 
-    void start_below() {
+    // Returns what comes back from the lowest interface alone.
+    Energy start_below() {
         Beam diffuse{lobe_count_};
         diffuse.diffuse = true;
         const double alpha = layers_.tables->equivalent_alpha(kDiffuseVariance);
         diffuse.lobes.back() = {Energy{1.0}, variance_of_alpha(alpha)};
-        send(up_.back(), lobe_count_ - 1, diffuse);
-        up_.back().diffuse = true;
-        pass_up();
-        up_.back().diffuse = false;
+        up_.back() = diffuse;
+        up_.back().lobes.back().energy = attenuated(diffuse, crossing(lobe_count_ - 1)).energy();
+        meet_from_below(layers_.interfaces.size() - 1);
+        const Energy first = down_.back().energy();
+        for (std::size_t n = layers_.interfaces.size() - 1; n-- > 0;) meet_from_below(n);
+        return first;
     }
 
     StackLight run() {
@@ -107,8 +124,6 @@ class Transport {
     }
 
  private:
-    static constexpr double kTiny = 1e-300;
-
     // What travels between passes.
     Energy moving() const {
         Energy all{0.0};
@@ -124,12 +139,11 @@ class Transport {
         light_.down += factor * (light_.down - before.down);
     }
 
-    // Sends a beam across medium `medium`, of which 0 is the exterior.
+    // What medium `medium`, of which 0 is the exterior, lets through.
+    Crossing crossing(std::size_t medium) const { return {layers_.tau[medium - 1]}; }
+
     void send(Beam& to, std::size_t medium, const Beam& beam) {
-        const Energy& tau = layers_.tau[medium - 1];
-        to.add(attenuated(beam, [&](double cosine) {
-            return glm::pow(tau, Energy{1.0 / std::max(cosine, 1e-3)});
-        }));
+        to.add(attenuated(beam, crossing(medium)));
     }
 
     void pass_down() {
@@ -167,23 +181,23 @@ class Transport {
     Parts split(const Beam& beam, const StackInterface& interface, bool downwards) const {
         const auto [from, into] = downwards ? std::pair{interface.ior_above, interface.ior_below}
                                             : std::pair{interface.ior_below, interface.ior_above};
-        const Share share = share_of(cosines_of(beam), [&](double cosine) {
-            return downwards ? interface.t_down(cosine) : interface.t_up(cosine);
-        });
-        Parts parts{beam, beam};
-        parts.reflected.diffuse = parts.refracted.diffuse = false;
-        const LobeShape shape = beam.shape();
-        const LobeShape remaining = tilted(shape, share.remaining_tilt);
-        parts.reflected.sine =
-            tilted(remaining, reflection_tilt(remaining, interface.alpha, into / from)).sine;
-        const Refraction bent =
-            refraction(tilted(shape, share.passing_tilt), interface.alpha, from / into);
-        parts.refracted.sine = bent.sine;
-        for (LobeLight& lobe : parts.reflected.lobes) lobe.energy *= 1.0 - share.passing;
-        for (LobeLight& lobe : parts.refracted.lobes) {
-            lobe.energy *= share.passing;
-            lobe.variance = bent.variance(lobe.variance);
+        const LobeCosines directions = cosines_of(beam);
+        LobePart all, passing, remaining;
+        for (std::size_t n = 0; n < directions.count; ++n) {
+            const double cosine = directions.cosines[n];
+            const double t = downwards ? interface.t_down(cosine) : interface.t_up(cosine);
+            all.add(directions, n, 1.0);
+            passing.add(directions, n, t);
+            remaining.add(directions, n, 1.0 - t);
         }
+        Parts parts{part_of(beam, share_of(directions, all, remaining)),
+                    part_of(beam, share_of(directions, all, passing))};
+        const LobeShape kept = parts.reflected.shape();
+        parts.reflected.sine =
+            tilted(kept, reflection_tilt(kept, interface.alpha, into / from)).sine;
+        const Refraction bent = refraction(parts.refracted.shape(), interface.alpha, from / into);
+        parts.refracted.sine = bent.sine;
+        for (LobeLight& lobe : parts.refracted.lobes) lobe.variance = bent.variance(lobe.variance);
         return parts;
     }
 
@@ -236,8 +250,14 @@ StackLight light_from_above(const StackLayers& layers, double cos_theta) {
 
 Energy diffuse_return(const StackLayers& layers) {
     Transport transport{layers};
-    transport.start_below();
-    return transport.run().down;
+    const Energy first = transport.start_below();
+    // The tables know that part better.
+    const StackInterface& lowest = layers.interfaces.back();
+    Energy known;
+    for (int channel = 0; channel < 4; ++channel)
+        known[channel] = layers.tables->r_up(lowest.alpha, lowest.ior_below / lowest.ior_above,
+                                             layers.tau.back()[channel]);
+    return glm::max(transport.run().down - first + known, Energy{0.0});
 }
 
 }  // namespace lacquer::reference
