@@ -104,7 +104,7 @@ TEST(Stack, EightSmoothLayersAreExact) {
 
 // That a stack of one coat over a Lambertian base is `coated`, which is exact to 0.002 in the mean.
 TEST(Stack, OneCoatOverLambertianIsCoated) {
-    constexpr double kOneCoatError = 0.035;  // measured: absorption of light trapped in the coat
+    constexpr double kOneCoatError = 0.02;  // measured: absorption of light on its way in
     for (const double alpha : {0.0, 0.1, 0.4, 0.8})
         for (const double ior : {1.2, 1.5, 2.0})
             for (const double cos_theta : {0.1, 0.5, 1.0}) {

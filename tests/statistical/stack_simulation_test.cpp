@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "reference/facets.h"
 #include "reference/stack/stack.h"
 #include "simulator/goniophotometer.h"
 
@@ -41,19 +43,20 @@ Microsurface isotropic(double alpha) {
     return {Ndf::ggx, {alpha, alpha}};
 }
 
-// alpha to 0.8, tau from 0.3, indices of varnishes, glasses and glazes in any order.
-Configuration random_configuration(std::mt19937_64& generator, BaseKind base, int coats) {
+// tau from 0.3, indices of varnishes, glasses and glazes in any order.
+Configuration random_configuration(std::mt19937_64& generator, BaseKind base, int coats,
+                                   double max_alpha = 0.8) {
     Configuration at;
     for (int n = 0; n < coats; ++n) {
         const double ior = uniform(generator, 1.0, 2.2);
-        const Microsurface microsurface = isotropic(uniform(generator, 0.0, 0.8));
+        const Microsurface microsurface = isotropic(uniform(generator, 0.0, max_alpha));
         const Rgb tau = uniform_rgb(generator, 0.3, 1.0);
         at.material.layers.push_back({{ior, microsurface}, AbsorbingMedium{tau}});
     }
     if (base == BaseKind::lambertian) {
         at.material.base = LambertianBase{uniform_rgb(generator, 0.0, 1.0)};
     } else {
-        const Microsurface microsurface = isotropic(uniform(generator, 0.0, 0.8));
+        const Microsurface microsurface = isotropic(uniform(generator, 0.0, max_alpha));
         const Rgb eta = uniform_rgb(generator, 0.1, 3.0);
         at.material.base = ConductorBase{eta, uniform_rgb(generator, 0.5, 8.0), microsurface};
     }
@@ -139,12 +142,10 @@ Errors albedo_errors(BaseKind base, int coats, int configurations, std::uint64_t
     return errors;
 }
 
-// What the model promises of the total albedo, in the mean over stacks of as many coats: of 100
-// stacks of each kind 0.0063 at most (one coat over conductors), give or take 0.0015.
-constexpr double kMeanAlbedoError = 0.008;
-// The largest error anywhere, as measured on 100 stacks of each kind (0.098) and rounded up. It is
-// that of smooth bases below a rough coat seen at grazing angles, whose light arrives there just
-// about the critical angle of its way back.
+// What the model promises of the total albedo, in the mean over stacks of as many coats.
+constexpr double kMeanAlbedoError = 0.006;
+// The largest error of 640 stacks, rounded up (measured: 0.090). Rough coats seen at grazing angles
+// have it, whose light arrives below just about the critical angle of its way back.
 constexpr double kMaxAlbedoError = 0.1;
 
 // Noise widens |errors| on average by no more than its standard error, and by more than five times
@@ -166,6 +167,63 @@ TEST(StackSimulation, AlbedoOverLambertianBases) {
 
 TEST(StackSimulation, AlbedoOverConductors) {
     expect_albedos(BaseKind::conductor, 24, 50'000);
+}
+
+// Root mean square distance from the mean, per axis of the projected disk, of light that a stack's
+// lobe reflects.
+double width_of(const reference::StackLobe& lobe, const glm::dvec3& wo) {
+    constexpr int kSteps = 64;
+    const reference::Facets facets{Ndf::ggx, lobe.alpha, lobe.alpha};
+    double light = 0.0, x = 0.0, square = 0.0;
+    for (int n = 0; n < kSteps * kSteps; ++n) {
+        const glm::dvec2 u{(n % kSteps + 0.5) / kSteps, (n / kSteps + 0.5) / kSteps};
+        const glm::dvec3 wm = reference::sample_visible_normal(facets, wo, u);
+        const glm::dvec3 wi = 2.0 * glm::dot(wo, wm) * wm - wo;
+        if (wi.z <= 0.0) continue;
+        const double seen = reference::masking_shadowing(facets, wi, wo);
+        light += seen;
+        x += seen * wi.x;
+        square += seen * (wi.x * wi.x + wi.y * wi.y);
+    }
+    return std::sqrt(0.5 * (square / light - x * x / (light * light)));
+}
+
+// That the light of a conductor comes back as wide as it should, for alpha up to 0.5. Not always:
+// below a rough coat seen at grazing angles it is up to 1.6 times too wide.
+void expect_widths(int configurations, std::uint64_t walks) {
+    constexpr double kWidthError = 0.1;
+    constexpr double kShareWithin = 0.6;  // measured: 0.66 to 0.77 of stacks
+    constexpr double kLeastLight = 0.01;  // whose width the simulator knows
+    std::mt19937_64 generator{20180813u};
+    Errors errors;
+    int within = 0, all = 0;
+    for (int n = 0; n < configurations; ++n) {
+        const Configuration at = random_configuration(generator, BaseKind::conductor, 1, 0.5);
+        const glm::dvec3 wo = direction(at.cos_theta);
+        const auto truth =
+            simulator::estimate_distribution(simulator::StackWalk{at.material}, wo, {1, 1},
+                                             {walks, static_cast<std::uint64_t>(n) + 1, {}});
+        if (truth.base.energy.mean[0] < kLeastLight) continue;
+        const double simulated =
+            std::sqrt(0.5 * (truth.base.variance_x.mean[0] + truth.base.variance_y.mean[0]));
+        const auto surface = reference::prepare_stack(at.material, tables());
+        const double width = width_of(reference::view(surface, wo).lobes.back(), wo);
+        const double error = width / simulated - 1.0;
+        errors.add(error, 0.0, describe(at, 0));
+        ++all;
+        if (std::abs(error) <= kWidthError) ++within;
+    }
+    errors.print("width, relative, 1 coat");
+    fmt::print("within {:.0f} %: {} of {}\n", 100.0 * kWidthError, within, all);
+    EXPECT_GE(within, kShareWithin * all);
+}
+
+TEST(StackSimulation, WidthOverConductors) {
+    expect_widths(48, 50'000);
+}
+
+TEST(StackSimulationFull, WidthOverManyConductors) {
+    expect_widths(400, 100'000);
 }
 
 TEST(StackSimulationFull, AlbedoOverManyLambertianBases) {

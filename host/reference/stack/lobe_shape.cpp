@@ -13,7 +13,10 @@ namespace lacquer::reference {
 
 namespace {
 
-constexpr double kExponent = 1.1;    // of Eq. 6
+constexpr double kExponent = 1.1;  // of Eq. 6
+// Of Eq. 10, which says 0.167 at normal incidence and eta 1.5, where simulated light through facets
+// of alpha 0.05 to 0.3 is 0.151 to 0.136 as wide as their reflections.
+constexpr double kRefractionWidth = 0.85;
 constexpr double kMaxAlpha = 0.999;  // whose variance is as good as infinite
 // Lobes nearer to grazing have no width to speak of: cosines below are taken at this.
 constexpr double kLeastCosine = 0.014;
@@ -85,7 +88,8 @@ Refraction refraction(const LobeShape& shape, double alpha, double ratio) {
     // it turns a reflection by.
     const double scale = std::min(0.5 * std::abs(1.0 - stretch), 1.0);
     const double width = std::clamp(stretch, kLeastStretch, kMostStretch);
-    return {sine, std::pow(width, kExponent), reflection_variance(scale * alpha)};
+    return {sine, std::pow(width, kExponent),
+            reflection_variance(kRefractionWidth * scale * alpha)};
 }
 
 double reflection_tilt(const LobeShape& shape, double alpha, double eta) {
