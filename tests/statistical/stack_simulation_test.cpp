@@ -144,8 +144,8 @@ Errors albedo_errors(BaseKind base, int coats, int configurations, std::uint64_t
 
 // What the model promises of the total albedo, in the mean over stacks of as many coats.
 constexpr double kMeanAlbedoError = 0.006;
-// The largest error of 640 stacks, rounded up (measured: 0.090). Rough coats seen at grazing angles
-// have it, whose light arrives below just about the critical angle of its way back.
+// The largest error of 1280 stacks, rounded up (measured: 0.091). Rough coats seen at grazing
+// angles have it, whose light arrives below just about the critical angle of its way back.
 constexpr double kMaxAlbedoError = 0.1;
 
 // Noise widens |errors| on average by no more than its standard error, and by more than five times

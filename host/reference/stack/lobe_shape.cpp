@@ -28,14 +28,14 @@ double sine_of(double cos_theta) {
     return std::sqrt(1.0 - cosine * cosine);
 }
 
-// The mean sine of what the facets refract, each in proportion to what it lets through and to how
-// much of that the surface does not shadow.
+// The mean sine of what the facets refract, each in proportion to what it lets through. What of
+// that the surface shadows is scattered again, and no more oblique than if the surface were smooth.
 double refracted_sine(const LobeShape& shape, double alpha, double ratio) {
     const double straight = std::min(ratio * shape.sine, sine_of(0.0));
     if (alpha < kMinAlpha) return straight;
     const glm::dvec3 w = direction_of(std::max(cosine_of(shape), kLeastCosine));
     const Facets facets{Ndf::ggx, alpha, alpha};
-    double light = 0.0, sine = 0.0;
+    double entering = 0.0, light = 0.0, sine = 0.0;
     for (const glm::dvec3& wm : visible_facets(w, alpha)) {
         const double cosine = glm::dot(w, wm);
         const double square = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
@@ -44,11 +44,14 @@ double refracted_sine(const LobeShape& shape, double alpha, double ratio) {
         const double along = std::sqrt(square) - ratio * cosine;
         const glm::dvec3 wt{ratio * w.x + along * wm.x, along * wm.y, ratio * w.z + along * wm.z};
         if (wt.z <= 0.0) continue;
-        const double share = (1.0 - fresnel(cosine, 1.0 / ratio)) * masking(facets, wt);
+        const double enters = 1.0 - fresnel(cosine, 1.0 / ratio);
+        const double share = enters * masking(facets, wt);
+        entering += enters;
         light += share;
         sine += share * wt.x;
     }
-    return light > 0.0 ? std::clamp(sine / light, 0.0, sine_of(0.0)) : straight;
+    if (light <= 0.0) return straight;
+    return std::clamp((sine + (entering - light) * straight) / entering, 0.0, sine_of(0.0));
 }
 
 }  // namespace
