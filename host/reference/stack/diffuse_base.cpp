@@ -1,6 +1,7 @@
 #include "reference/stack/diffuse_base.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <numbers>
 

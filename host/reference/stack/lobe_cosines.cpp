@@ -11,7 +11,7 @@ namespace lacquer::reference {
 
 namespace {
 
-// Steeper light has no visible facets to mirror it.
+// Nearer to grazing hardly a facet is seen that mirrors light upwards.
 constexpr double kLeastCosine = 0.014;
 
 // Equal parts of cosine-weighted directions.
