@@ -25,15 +25,10 @@ struct Tolerance {
 // bundled material, gives 9.5e-5.
 inline constexpr Tolerance kFloatTolerance{1e-4, 3e-7};
 
-// The base lobe of `coated-ggx` has the roughness of the variance of the light that leaves, a
-// quotient of sums of some forty products, which the density in the middle of the lobe answers to
-// with its square: some 90 roundings in all, 3.3e-7, and room as above.
-inline constexpr Tolerance kNormalLobeTolerance{1e-4, 4e-7};
-
-// The tolerance of a model on the backend of that name. All backends have the same so far: a
-// language that needs more is a formula to mend, or a reason to be written here.
-constexpr Tolerance tolerance_of(std::string_view /*backend*/, Model model) {
-    return model == Model::coated_ggx ? kNormalLobeTolerance : kFloatTolerance;
+// The tolerance of a model on the backend of that name. All have the same so far: a language or a
+// model that needs more is a formula to mend, or a reason to be written here.
+constexpr Tolerance tolerance_of(std::string_view /*backend*/, Model /*model*/) {
+    return kFloatTolerance;
 }
 
 }  // namespace lacquer

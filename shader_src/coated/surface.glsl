@@ -27,8 +27,8 @@ struct LqCoatedMaterial {
 
 // `returned` is what base and coat make of light that has entered: rho T10_bar / (1 - rho R10_bar);
 // `spread` is rho / (pi eta^2 (1 - rho R10_bar)); `multiple_scale` is 1 / (pi m_average), m the
-// light that the coat reflects after more than one facet. `lobe` and `lobe_energy` are the GGX base
-// lobe's.
+// light that the coat reflects after more than one facet. `lobe_alpha` is the GGX base lobe's,
+// `lobe_energy` what its single scattering keeps of light along the normal.
 struct LqCoatedSurface {
     LqFacets coat;
     float eta;
@@ -37,7 +37,7 @@ struct LqCoatedSurface {
     vec3 returned;
     vec3 spread;
     float multiple_scale;
-    LqFacets lobe;
+    float lobe_alpha;
     float lobe_energy;
 };
 
@@ -63,14 +63,13 @@ float lq_coated_energy_alpha(const LqFacets facets, const float eta) {
 }
 
 // Roughness of one GGX lobe for all channels, with the variance of all the light that leaves.
-LqFacets lq_coated_base_facets(const LqInterface energies, const vec3 returned) {
+float lq_coated_base_alpha(const LqInterface energies, const vec3 returned) {
     const vec4 entering = energies.entering;
     const vec3 light = vec3(entering.x, entering.y, entering.z) * returned;
     const float sum = light.x + light.y + light.z;
     const vec3 spreads = lq_interface_spread(energies);
     const float spread = sum > LQ_MIN_ENERGY ? dot(light, spreads) / sum : spreads.x;
-    const float alpha = lq_equivalent_alpha(energies.critical, spread);
-    return lq_facets_prepare(LQ_NDF_GGX, alpha, alpha);
+    return clamp(lq_equivalent_alpha(energies.critical, spread), LQ_MIN_ALPHA, 1.0);
 }
 
 // The surface for shading: call it once per shading point. What is out of range is clamped.
@@ -91,11 +90,11 @@ LqCoatedSurface lq_coated_prepare(const LqCoatedMaterial material) {
     const vec3 reflected = albedo / (vec3(1.0) - albedo * surface.energies.r_up);
     surface.returned = reflected * surface.energies.t_up;
     surface.spread = reflected * (LQ_INVERSE_PI / (eta * eta));
-    surface.lobe = surface.coat;
+    surface.lobe_alpha = 1.0;
     surface.lobe_energy = 1.0;
     if (material.base_lobe == LQ_BASE_LOBE_GGX) {
-        surface.lobe = lq_coated_base_facets(surface.energies, surface.returned);
-        surface.lobe_energy = lq_normal_lobe_energy(surface.lobe.alpha_x);
+        surface.lobe_alpha = lq_coated_base_alpha(surface.energies, surface.returned);
+        surface.lobe_energy = lq_normal_lobe_energy(surface.lobe_alpha);
     }
     return surface;
 }

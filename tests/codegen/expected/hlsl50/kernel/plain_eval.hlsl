@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 5.0, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 187fbfa8342fae9d1cc98ba968d6b6cc3c9d15794e8b3637ea95ba5ddd859aa5.
+// Generated; source sha256 e26045252e734ab0b3d4126a5247784892bdac515e2f60151125ae96c8039762.
 
 static const float LQ_PI = 3.1415927f;
 static const float LQ_INVERSE_PI = 0.31830987f;
@@ -204,6 +204,29 @@ float lq_facets_cosines_over_masking_shadowing(LqFacets facets, float3 wi, float
     return max(wi.z * wo.z + wo.z * lambda_i + wi.z * lambda_o, LQ_MIN_COSINE_PRODUCT);
 }
 
+// Fresnel reflectance for cos_theta_i in [0, 1], eta = ior transmitted / ior incident; 1 beyond the
+// critical angle.
+//
+// With g = eta cos_theta_t, g^2 = eta^2 - 1 + cos_theta_i^2, the amplitudes
+//     r_s = (c - g) / (c + g),    r_p = (eta^2 c - g) / (eta^2 c + g)
+// lose all digits in their numerators as eta nears 1. Multiplied by their own denominators these
+// become (1 - eta^2) and (eta^2 - 1) (c^2 (eta^2 + 1) - 1), which do not.
+float lq_fresnel_dielectric(float cos_theta_i, float eta) {
+    float c = clamp(cos_theta_i, 0.0f, 1.0f);
+    float contrast = (eta - 1.0f) * (eta + 1.0f);
+    float g_squared = contrast + c * c;
+    if (g_squared <= 0.0f) {
+        return 1.0f;
+    }
+    float g = sqrt(g_squared);
+    float denominator_s = c + g;
+    float denominator_p = eta * eta * c + g;
+    float amplitude_s = contrast / (denominator_s * denominator_s);
+    float amplitude_p = contrast * (c * c * (eta * eta + 1.0f) - 1.0f) /
+        (denominator_p * denominator_p);
+    return min(0.5f * (amplitude_s * amplitude_s + amplitude_p * amplitude_p), 1.0f);
+}
+
 // The facet normal that mirrors wo into wi, for both above the surface. Directions opposite along
 // the horizon have none: the macroscopic normal stands in.
 float3 lq_halfway(float3 wi, float3 wo) {
@@ -234,29 +257,6 @@ float lq_reflection_pdf(LqFacets facets, float3 wi, float3 wo) {
     float density = lq_facets_density(facets, lq_halfway(wi, wo));
     float lambda_o = lq_facets_projected_lambda(facets, wo);
     return 0.25f * density / max(wo.z + lambda_o, LQ_MIN_COSINE_PRODUCT);
-}
-
-// Fresnel reflectance for cos_theta_i in [0, 1], eta = ior transmitted / ior incident; 1 beyond the
-// critical angle.
-//
-// With g = eta cos_theta_t, g^2 = eta^2 - 1 + cos_theta_i^2, the amplitudes
-//     r_s = (c - g) / (c + g),    r_p = (eta^2 c - g) / (eta^2 c + g)
-// lose all digits in their numerators as eta nears 1. Multiplied by their own denominators these
-// become (1 - eta^2) and (eta^2 - 1) (c^2 (eta^2 + 1) - 1), which do not.
-float lq_fresnel_dielectric(float cos_theta_i, float eta) {
-    float c = clamp(cos_theta_i, 0.0f, 1.0f);
-    float contrast = (eta - 1.0f) * (eta + 1.0f);
-    float g_squared = contrast + c * c;
-    if (g_squared <= 0.0f) {
-        return 1.0f;
-    }
-    float g = sqrt(g_squared);
-    float denominator_s = c + g;
-    float denominator_p = eta * eta * c + g;
-    float amplitude_s = contrast / (denominator_s * denominator_s);
-    float amplitude_p = contrast * (c * c * (eta * eta + 1.0f) - 1.0f) /
-        (denominator_p * denominator_p);
-    return min(0.5f * (amplitude_s * amplitude_s + amplitude_p * amplitude_p), 1.0f);
 }
 
 // Fresnel reflectance for cos_theta_i in [0, 1] and a conductor of index eta + i kappa (kappa >= 0)
