@@ -54,7 +54,7 @@ shader::LqOneCoat to_one_coat(const OneCoatParameters& parameters) {
             to_vector(parameters.eta),           to_vector(parameters.kappa)};
 }
 
-// The functions of a level, over a surface that lq_LEVEL_prepare made: traits as below.
+// The functions of a level (see Functions below) over a surface that lq_LEVEL_prepare made.
 template <typename Functions, typename Surface>
 class Level final : public Bsdf<Real>::Shading {
  public:
@@ -135,7 +135,8 @@ struct CoatedFunctions : Functions<shader::lq_coated_eval, shader::lq_coated_eva
 
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {
     using namespace shader;
-    const LqOneCoat surface = to_one_coat(one_coat_parameters(material, model));
+    const OneCoatParameters parameters = one_coat_parameters(material, model);
+    const LqOneCoat surface = to_one_coat(parameters);
     switch (model) {
         case Model::plain:
             return level<Functions<lq_plain_eval, lq_plain_eval_cos, lq_plain_pdf, lq_plain_sample,
@@ -155,9 +156,8 @@ std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, 
                 lq_openpbr_coat_prepare(surface));
         case Model::coated_ggx:
         case Model::coated_exact:
-            return level<CoatedFunctions>(lq_coated_prepare(
-                to_coated(one_coat_parameters(material, model),
-                          model == Model::coated_ggx ? LQ_BASE_LOBE_GGX : LQ_BASE_LOBE_EXACT)));
+            return level<CoatedFunctions>(lq_coated_prepare(to_coated(
+                parameters, model == Model::coated_ggx ? LQ_BASE_LOBE_GGX : LQ_BASE_LOBE_EXACT)));
     }
     return nullptr;
 }
