@@ -26,7 +26,8 @@ std::vector<TableBake> all_table_bakes() {
             bake_of_multiple(),
             bake_of_conductor(),
             bake_of_tir(),
-            bake_of_mirror()};
+            bake_of_mirror(),
+            bake_of_lobes()};
 }
 
 Axis alpha_axis(std::size_t size) {

@@ -63,6 +63,7 @@ TableBake bake_of_multiple();
 TableBake bake_of_conductor();
 TableBake bake_of_tir();
 TableBake bake_of_mirror();
+TableBake bake_of_lobes();
 
 // Axes that several tables share.
 Axis alpha_axis(std::size_t size);

@@ -61,17 +61,20 @@ void require_pair(const Table& table, const std::string& first, Names first_axes
 
 // That look-ups find what they read: of the tables of T01, TransmissionTable sees to it.
 void require_shapes(const Table& r_up, const Table& multiple, const Table& conductor,
-                    const Table& tir, const Table& mirror) {
+                    const Table& tir, const Table& mirror, const Table& lobes) {
     for (const std::string side : {"thin_", "dense_"}) {
         require_pair(r_up, side + "maps", {"alpha", "eta"}, side + "absorption", {"tau"});
         require_pair(tir, side + "maps", {"alpha", "eta"}, side + "profile", {"s"});
     }
     require_pair(multiple, "thin_below", {"alpha", "eta"}, "thin_above", {"alpha", "eta"});
     require_pair(multiple, "thin_below", {"alpha", "eta"}, "dense_above", {"alpha", "eta"});
-    require_pair(conductor, "facets", {"alpha", "cos_theta"}, "materials", {"eta", "kappa"});
+    conductor.array("facets", std::vector<std::string_view>{"alpha"},
+                    kConductorTerms * kCoefficients);
+    conductor.array("materials", std::vector<std::string_view>{"eta", "kappa"}, kConductorTerms);
     mirror.array("single", std::vector<std::string_view>{"alpha", "cos_theta"}, 1);
     mirror.array("average", std::vector<std::string_view>{"alpha"}, 1);
     mirror.array("equivalent_alpha", std::vector<std::string_view>{"variance"}, 1);
+    lobes.array("nodes", std::vector<std::string_view>{"alpha", "cos_theta"}, kLobeNodes + 1);
 }
 
 }  // namespace
@@ -98,8 +101,9 @@ EnergyTables::EnergyTables(const std::array<Table, kTableNames.size()>& tables)
       multiple_{tables[3]},
       conductor_{tables[4]},
       tir_{tables[5]},
-      mirror_{tables[6]} {
-    require_shapes(r_up_, multiple_, conductor_, tir_, mirror_);
+      mirror_{tables[6]},
+      lobes_{tables[7]} {
+    require_shapes(r_up_, multiple_, conductor_, tir_, mirror_, lobes_);
     for (const Table& table : tables) bytes_ += payload_bytes(table);
 }
 
@@ -115,6 +119,11 @@ double EnergyTables::t_down(double cos_theta, double alpha, double eta, double t
     const double cosine = std::clamp(cos_theta, 0.0, 1.0);
     return std::min(t_down_profile(alpha, eta, tau).at(cosine),
                     t_down_profile(alpha, eta, 1.0).at(cosine));
+}
+
+DirectionPolynomial EnergyTables::clear_profile(double alpha, double eta) const {
+    require_interface(alpha, eta);
+    return (contrast_of(eta) == Contrast::thin ? thin_ : dense_).clear_profile(alpha, eta);
 }
 
 double EnergyTables::t_up(double alpha, double eta, double tau) const {
@@ -146,14 +155,24 @@ double EnergyTables::fgd_dielectric(double cos_theta, double alpha, double eta) 
     return 1.0 - t_down(cos_theta, alpha, eta, 1.0);
 }
 
-double EnergyTables::fgd_conductor(double cos_theta, double alpha, double eta, double kappa) const {
-    require("cos_theta", cos_theta, 0.0, 1.0);
+DirectionPolynomial EnergyTables::fgd_conductor_profile(double alpha, double eta,
+                                                        double kappa) const {
     require("alpha", alpha, 0.0, 1.0);
     require("eta", eta, 0.0, 5.0);
     require("kappa", kappa, 0.0, 10.0);
-    const double value = dot(over_two(conductor_.array("facets"), alpha, cos_theta),
-                             over_two(conductor_.array("materials"), eta, kappa));
-    return std::clamp(value, 0.0, 1.0);
+    const std::vector<double> facets = over_one(conductor_.array("facets"), alpha);
+    const std::vector<double> material = over_two(conductor_.array("materials"), eta, kappa);
+    DirectionPolynomial polynomial;
+    for (std::size_t term = 0; term < kConductorTerms; ++term)
+        for (std::size_t n = 0; n < kCoefficients; ++n)
+            polynomial.above[n] += facets[term * kCoefficients + n] * material[term];
+    return polynomial;
+}
+
+double EnergyTables::fgd_conductor(double cos_theta, double alpha, double eta, double kappa) const {
+    require("cos_theta", cos_theta, 0.0, 1.0);
+    const double cosine = std::clamp(cos_theta, 0.0, 1.0);
+    return std::clamp(fgd_conductor_profile(alpha, eta, kappa).at(cosine), 0.0, 1.0);
 }
 
 double EnergyTables::tir(double cos_theta, double alpha, double eta) const {
@@ -195,6 +214,17 @@ double EnergyTables::mirror_single(double cos_theta, double alpha) const {
 double EnergyTables::mirror_single_average(double alpha) const {
     require("alpha", alpha, 0.0, 1.0);
     return over_one(mirror_.array("average"), alpha).front();
+}
+
+LobeNodes EnergyTables::lobe(double cos_theta, double alpha) const {
+    require("cos_theta", cos_theta, 0.0, 1.0);
+    require("alpha", alpha, 0.0, 1.0);
+    const std::vector<double> channels = over_two(lobes_.array("nodes"), alpha, cos_theta);
+    LobeNodes nodes;
+    for (std::size_t n = 0; n < kLobeNodes; ++n)
+        nodes.cosines[n] = std::clamp(cos_theta + channels[n], 0.0, 1.0);
+    nodes.single = channels[kLobeNodes];
+    return nodes;
 }
 
 double EnergyTables::equivalent_alpha(double variance) const {

@@ -42,17 +42,23 @@ const TableArray& Table::array(std::string_view wanted, std::span<const std::str
     return found;
 }
 
+void round_to_encoding(TableArray& array) {
+    for (double& value : array.values) {
+        const auto single = static_cast<float>(value);
+        value = array.encoding == Encoding::float16
+                    ? static_cast<double>(static_cast<float>(Imath::half{single}))
+                    : static_cast<double>(single);
+        if (!std::isfinite(value))
+            throw Error{fmt::format("array '{}': {} does not fit {}", array.name, single,
+                                    encoding_name(array.encoding))};
+    }
+}
+
 void round_to_encoding(Table& table) {
-    for (TableArray& array : table.arrays) {
-        for (double& value : array.values) {
-            const auto single = static_cast<float>(value);
-            value = array.encoding == Encoding::float16
-                        ? static_cast<double>(static_cast<float>(Imath::half{single}))
-                        : static_cast<double>(single);
-            if (!std::isfinite(value))
-                throw Error{fmt::format("table '{}', array '{}': {} does not fit {}", table.name,
-                                        array.name, single, encoding_name(array.encoding))};
-        }
+    try {
+        for (TableArray& array : table.arrays) round_to_encoding(array);
+    } catch (const Error& error) {
+        throw Error{fmt::format("table '{}', {}", table.name, error.what())};
     }
 }
 

@@ -52,6 +52,9 @@ struct Table {
 // back. Throws Error for numbers that are not finite or too large.
 void round_to_encoding(Table& table);
 
+// The same of one array, which belongs to no file.
+void round_to_encoding(TableArray& array);
+
 // Bytes of all numbers as they are stored, which is what shaders keep in memory.
 std::size_t payload_bytes(const Table& table);
 

@@ -73,7 +73,7 @@ TableArray normal_energies(const Table& mirror) {
 }  // namespace
 
 std::vector<TableTexel> pack_texels(const std::array<Table, kTableNames.size()>& tables) {
-    const auto& [thin, dense, r_up, multiple, conductor, tir, mirror] = tables;
+    const auto& [thin, dense, r_up, multiple, conductor, tir, mirror, lobes] = tables;
     std::vector<TableTexel> texels;
     append_coefficients(thin.array("below"), kThinCoefficients, texels);
     append_coefficients(thin.array("above"), kThinCoefficients, texels);
@@ -85,6 +85,11 @@ std::vector<TableTexel> pack_texels(const std::array<Table, kTableNames.size()>&
         append(multiple.array(name), texels);
     append(normal_energies(mirror), texels);
     append(mirror.array("equivalent_alpha"), texels);
+    append(clear_coefficients(thin, "below", Contrast::thin), texels);
+    append(clear_coefficients(thin, "above", Contrast::thin), texels);
+    append(clear_coefficients(dense, "above", Contrast::dense), texels);
+    for (const char* name : {"facets", "materials"}) append(conductor.array(name), texels);
+    append(lobes.array("nodes"), texels);
     return texels;
 }
 

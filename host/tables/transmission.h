@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "tables/polynomial.h"
 #include "tables/profile.h"
@@ -58,6 +59,10 @@ class TransmissionProfile {
     DirectionPolynomial polynomial_;
 };
 
+// Coefficients of T01 at tau 1 over (alpha, eta): sums of the maps of `side`, "above" or "below",
+// over the functions of tau, rounded to half as shaders read them.
+TableArray clear_coefficients(const Table& table, std::string_view side, Contrast contrast);
+
 // One of the two tables of T01.
 class TransmissionTable {
  public:
@@ -66,9 +71,13 @@ class TransmissionTable {
 
     TransmissionProfile profile(double alpha, double eta, double tau) const;
 
+    // T01 at tau 1 from clear_coefficients.
+    DirectionPolynomial clear_profile(double alpha, double eta) const;
+
  private:
     Contrast contrast_;
     TableArray below_, above_, absorption_;  // `below_` is empty for dense
+    TableArray clear_below_, clear_above_;   // the same
 };
 
 }  // namespace lacquer

@@ -14,10 +14,15 @@ const int LQ_T_DOWN_THIN_ETAS = 24;
 const int LQ_TABLE_TAUS = 33;
 const int LQ_MIRROR_ALPHAS = 24;
 const int LQ_LOBE_VARIANCES = 65;
+const int LQ_CONDUCTOR_ALPHAS = 16;
+const int LQ_CONDUCTOR_INDICES = 24;  // of eta, and as many of kappa
+const int LQ_LOBE_NODE_ALPHAS = 24;
+const int LQ_LOBE_COSINES = 24;
 
 // Texels per node, where more than one.
 const int LQ_T_DOWN_TEXELS = 5;
 const int LQ_ABSORPTION_TEXELS = 2;
+const int LQ_CONDUCTOR_TERMS = 8;  // of LQ_CONDUCTOR_FACETS: the coefficients of a term each
 
 // The first texel of each array. "Thin" is for eta < 1, "dense" for eta >= 1.
 const int LQ_T_DOWN_THIN_BELOW = 0;
@@ -32,5 +37,11 @@ const int LQ_MULTIPLE_THIN_ABOVE = 6020;
 const int LQ_MULTIPLE_DENSE_ABOVE = 6276;
 const int LQ_LOBE_ENERGY = 6532;
 const int LQ_LOBE_ALPHA = 6556;
+const int LQ_CLEAR_THIN_BELOW = 6621;
+const int LQ_CLEAR_THIN_ABOVE = 7005;
+const int LQ_CLEAR_DENSE_ABOVE = 7389;
+const int LQ_CONDUCTOR_FACETS = 7645;
+const int LQ_CONDUCTOR_MATERIALS = 7773;
+const int LQ_LOBE_NODES = 8349;
 
 #endif

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/gtc/packing.hpp>
 #include <random>
 #include <span>
 
@@ -54,9 +55,44 @@ std::vector<Point> points() {
     return all;
 }
 
+// Holds an array over axes of the sizes that the shader source says to the texels from `first` on,
+// and returns where it ends.
+int expect_texels(int first, const TableArray& array, std::vector<int> sizes) {
+    for (std::size_t n = 0; n < sizes.size(); ++n)
+        EXPECT_EQ(static_cast<std::size_t>(sizes[n]), array.axes[n].size) << array.name;
+    static const std::vector<TableTexel> texels = pack_texels(tables());
+    constexpr int kHalves = 8;
+    const int count = static_cast<int>(array.values.size()) / kHalves;
+    for (int n = 0; n < count * kHalves; ++n) {
+        const TableTexel& texel = texels.at(static_cast<std::size_t>(first + n / kHalves));
+        const glm::vec2 pair = glm::unpackHalf2x16(texel[n % kHalves / 2]);
+        EXPECT_EQ(pair[n % 2], array.values[static_cast<std::size_t>(n)]) << array.name << " " << n;
+    }
+    return first + count;
+}
+
 TEST(Interface, TexelsLieWhereTheShaderSourceReadsThem) {
-    EXPECT_EQ(pack_texels(tables()).size(),
-              static_cast<std::size_t>(shader::LQ_LOBE_ALPHA + shader::LQ_LOBE_VARIANCES));
+    namespace s = shader;
+    const auto& [thin, dense, r_up, multiple, conductor, tir, mirror, lobes] = tables();
+    int next = s::LQ_LOBE_ALPHA + s::LQ_LOBE_VARIANCES;
+    const auto expect_next = [&](int first, const TableArray& array, std::vector<int> sizes) {
+        EXPECT_EQ(first, next) << array.name;
+        next = expect_texels(first, array, std::move(sizes));
+    };
+    const std::vector<int> thin_sizes{s::LQ_TABLE_ALPHAS, s::LQ_T_DOWN_THIN_ETAS};
+    expect_next(s::LQ_CLEAR_THIN_BELOW, clear_coefficients(thin, "below", Contrast::thin),
+                thin_sizes);
+    expect_next(s::LQ_CLEAR_THIN_ABOVE, clear_coefficients(thin, "above", Contrast::thin),
+                thin_sizes);
+    expect_next(s::LQ_CLEAR_DENSE_ABOVE, clear_coefficients(dense, "above", Contrast::dense),
+                {s::LQ_TABLE_ALPHAS, s::LQ_TABLE_ETAS});
+    expect_next(s::LQ_CONDUCTOR_FACETS, conductor.array("facets"),
+                {s::LQ_CONDUCTOR_ALPHAS, s::LQ_CONDUCTOR_TERMS * s::LQ_COEFFICIENTS});
+    expect_next(s::LQ_CONDUCTOR_MATERIALS, conductor.array("materials"),
+                {s::LQ_CONDUCTOR_INDICES, s::LQ_CONDUCTOR_INDICES, s::LQ_CONDUCTOR_TERMS});
+    expect_next(s::LQ_LOBE_NODES, lobes.array("nodes"),
+                {s::LQ_LOBE_NODE_ALPHAS, s::LQ_LOBE_COSINES});
+    EXPECT_EQ(pack_texels(tables()).size(), static_cast<std::size_t>(next));
 }
 
 TEST(Interface, TexelsInTheLibraryAreTheTables) {

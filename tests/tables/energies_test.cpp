@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/error.h"
 #include "simulator/facet_material.h"
@@ -90,6 +91,84 @@ TEST(Energies, SmoothMirrorsReflectEverythingOnce) {
     EXPECT_NEAR(tables().mirror_single_average(0.0), 1.0, 1e-3);
 }
 
+TEST(Energies, ClearProfilesAreThoseOfClearMedia) {
+    // Sixteen coefficients of at most 1 or so, each rounded to half at four nodes: they add up to
+    // less than this anywhere.
+    constexpr double kHalves = 1e-3;
+    for (const double eta : {0.34, 0.6, 0.97, 0.9999, 1.0, 1.0001, 1.03, 1.46, 2.1, 2.99})
+        for (const double alpha : {0.0, 0.003, 0.05, 0.2, 0.61, 1.0}) {
+            const DirectionPolynomial exact = tables().t_down_profile(alpha, eta, 1.0).polynomial();
+            const DirectionPolynomial clear = tables().clear_profile(alpha, eta);
+            EXPECT_EQ(clear.critical, exact.critical);
+            for (int n = 0; n <= 400; ++n) {
+                const double cosine = n / 400.0;
+                EXPECT_NEAR(clear.at(cosine), exact.at(cosine), kHalves) << eta << " " << alpha;
+            }
+        }
+}
+
+TEST(Energies, ClearProfilesAreOfHalvesAtTheNodes) {
+    // Alpha 0 and the first eta are nodes: nothing is interpolated.
+    for (const double eta : {1.0 - 1e-4, 1.0 + 1e-4})
+        for (const Coefficients& side :
+             {tables().clear_profile(0.0, eta).below, tables().clear_profile(0.0, eta).above})
+            for (const double coefficient : side)
+                EXPECT_EQ(coefficient, std::ldexp(std::nearbyint(std::ldexp(coefficient, 24)), -24))
+                    << "halves are multiples of 2^-24";
+}
+
+TEST(Energies, SmoothConductorsFollowFresnel) {
+    // The materials of people, and the largest index that the tables hold. At grazing angles, where
+    // good conductors bend within a degree, polynomials are off by several times kMaxError.
+    constexpr double kGrazing = 0.03;
+    for (const auto& [eta, kappa] :
+         {std::pair{0.143, 3.983}, std::pair{0.27, 2.77}, std::pair{1.67, 1.94},
+          std::pair{2.9, 3.06}, std::pair{1.5, 0.5}, std::pair{5.0, 10.0}})
+        for (int n = 0; n <= 200; ++n) {
+            const double cosine = n / 200.0;
+            const double truth = simulator::conductor_reflectance(cosine, eta, kappa);
+            EXPECT_NEAR(tables().fgd_conductor(cosine, 0.0, eta, kappa), truth,
+                        cosine < 0.1 ? kGrazing : kMaxError)
+                << eta << " " << kappa << " " << cosine;
+        }
+}
+
+TEST(Energies, ConductorsAreTheirProfilesClamped) {
+    for (const double alpha : {0.0, 0.1, 0.9})
+        for (const double cosine : {0.0, 0.3, 1.0}) {
+            const DirectionPolynomial profile = tables().fgd_conductor_profile(alpha, 0.2, 3.9);
+            EXPECT_EQ(profile.critical, 0.0);
+            EXPECT_EQ(tables().fgd_conductor(cosine, alpha, 0.2, 3.9),
+                      std::clamp(profile.at(cosine), 0.0, 1.0));
+        }
+}
+
+TEST(Energies, LobesOfSmoothMirrorsAreRays) {
+    for (const double cosine : {0.0, 0.013, 0.5, 1.0}) {
+        const LobeNodes nodes = tables().lobe(cosine, 0.0);
+        for (const double node : nodes.cosines) EXPECT_EQ(node, cosine);
+        EXPECT_EQ(nodes.single, 1.0);
+    }
+}
+
+TEST(Energies, LobeNodesRise) {
+    for (int a = 0; a <= 50; ++a)
+        for (int c = 0; c <= 50; ++c) {
+            const LobeNodes nodes = tables().lobe(c / 50.0, a / 50.0);
+            EXPECT_TRUE(std::ranges::is_sorted(nodes.cosines)) << a << " " << c;
+            EXPECT_GE(nodes.cosines.front(), 0.0);
+            EXPECT_LE(nodes.cosines.back(), 1.0);
+        }
+}
+
+TEST(Energies, LobesKeepWhatMirrorsKeepOnce) {
+    for (const double alpha : {0.02, 0.15, 0.5, 1.0})
+        for (const double cosine : {0.02, 0.1, 0.4, 0.8, 1.0})
+            EXPECT_NEAR(tables().lobe(cosine, alpha).single, tables().mirror_single(cosine, alpha),
+                        kMaxError)
+                << alpha << " " << cosine;
+}
+
 TEST(Energies, ArgumentsOutsideTheRangesAreErrors) {
     EXPECT_THROW(tables().t_down(0.5, 1.5, 1.5, 1.0), Error);
     EXPECT_THROW(tables().t_down(0.5, 0.5, 3.5, 1.0), Error);
@@ -168,6 +247,45 @@ TEST(Energies, OfFacetsAgreeWithTheSimulator) {
                         share_of_walks(cosine, alpha, simulator::DielectricFacet{ratio}, again),
                         "multiple");
     }
+}
+
+namespace {
+
+// What mirrors send back at their first facet, walk by walk, and for all other walks an even
+// spread of diffuse light: cosines in rising order.
+std::vector<double> mirrored_cosines(double cosine, double alpha) {
+    constexpr int kWalks = 100'000;
+    const simulator::FacetMaterial mirror = simulator::ConductorFacet{};
+    const SurfaceWalk surface{
+        {Blend::Operator::asymmetric, {{1.0, {Ndf::ggx, alpha, alpha}, mirror}}}};
+    const simulator::Vec3 arriving{std::sqrt(1.0 - cosine * cosine), 0.0, -cosine};
+    simulator::RandomStream random{1, 1};
+    std::vector<double> cosines;
+    for (int n = 0; n < kWalks; ++n) {
+        const simulator::Crossing crossing = surface.cross(arriving, random);
+        if (!crossing.lost && crossing.order == 1) cosines.push_back(crossing.direction.z);
+    }
+    const int diffuse = kWalks - static_cast<int>(cosines.size());
+    for (int n = 0; n < diffuse; ++n) cosines.push_back(std::sqrt((n + 0.5) / diffuse));
+    std::ranges::sort(cosines);
+    return cosines;
+}
+
+}  // namespace
+
+TEST(Energies, LobesAgreeWithTheSimulator) {
+    for (const double alpha : {0.05, 0.3, 0.8})
+        for (const double cosine : {0.1, 0.5, 0.95}) {
+            const std::vector<double> walks = mirrored_cosines(cosine, alpha);
+            const LobeNodes nodes = tables().lobe(cosine, alpha);
+            const std::size_t share = walks.size() / kLobeNodes;
+            for (std::size_t n = 0; n < kLobeNodes; ++n) {
+                double mean = 0.0;
+                for (std::size_t walk = n * share; walk < (n + 1) * share; ++walk)
+                    mean += walks[walk] / static_cast<double>(share);
+                EXPECT_NEAR(nodes.cosines[n], mean, kMaxError) << alpha << " " << cosine;
+            }
+        }
 }
 
 TEST(Energies, EquivalentAlphaHasTheVarianceOfItsLobe) {

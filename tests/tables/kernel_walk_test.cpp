@@ -50,7 +50,8 @@ void simulate_r_up(const Axis& taus, const Parameters& node, const Walks& walks,
 std::vector<Quantity> all_quantities() {
     std::vector<Quantity> all;
     for (const TableBake& table : all_table_bakes())
-        all.insert(all.end(), table.quantities.begin(), table.quantities.end());
+        if (table.name != "lobes")  // a quadrature: nobody walks
+            all.insert(all.end(), table.quantities.begin(), table.quantities.end());
     for (Quantity& quantity : all)
         if (quantity.name.starts_with("r_up"))
             quantity.simulate = std::bind_front(simulate_r_up, quantity.axes[2]);
