@@ -28,7 +28,7 @@ std::string png_of(const Picture& picture) {
         picture.limit ? difference_pixels(image, *picture.limit) : display_pixels(image));
 }
 
-std::string difference_legend(double limit) {
+std::string difference_legend(double limit, const std::string& below, const std::string& above) {
     constexpr int kStops = 12;
     std::string stops;
     for (int stop = 0; stop <= kStops; ++stop) {
@@ -36,9 +36,9 @@ std::string difference_legend(double limit) {
         stops += fmt::format("{}rgb({} {} {})", stop == 0 ? "" : ",", color.r, color.g, color.b);
     }
     return fmt::format(
-        R"html(<div class="scale"><span>&minus;{0:g}, too dark</span>
-<i style="background:linear-gradient(90deg,{1})"></i><span>+{0:g}, too bright</span></div>)html",
-        limit, stops);
+        R"html(<div class="scale"><span>&minus;{0:g}, {2}</span>
+<i style="background:linear-gradient(90deg,{1})"></i><span>+{0:g}, {3}</span></div>)html",
+        limit, stops, below, above);
 }
 
 }  // namespace lacquer::study

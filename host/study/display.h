@@ -11,6 +11,7 @@ namespace lacquer::study {
 std::string png_of(const Picture& picture);
 
 // The colours of differences up to `limit`, with what they mean: HTML.
-std::string difference_legend(double limit);
+std::string difference_legend(double limit, const std::string& below = "too dark",
+                              const std::string& above = "too bright");
 
 }  // namespace lacquer::study

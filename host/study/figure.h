@@ -15,7 +15,8 @@ namespace lacquer::study {
 // A picture and the numbers behind it. With a `limit` the numbers are signed differences, shown in
 // colours up to it; without, they are radiance as a display shows it.
 struct Picture {
-    std::string name;  // of its files, unique in the figure; empty: nothing stands here
+    std::string
+        name;  // of its files, unique in the figure; empty: nothing stands here but the note
     Image numbers{};
     std::optional<double> limit{};
     std::string note{};  // stands below it
@@ -41,6 +42,7 @@ struct Plots {
 struct Map {
     Plot frame;
     Picture picture;  // its upper left corner is (x_from, y_to) of the frame
+    std::string below = "too dark", above = "too bright";  // what the signs mean
 };
 
 struct Maps {

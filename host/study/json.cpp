@@ -22,7 +22,9 @@ Json numbers(const std::vector<double>& values) {
 }
 
 Json json_of(const Figure& figure, const Picture& picture) {
-    if (picture.name.empty()) return nullptr;
+    if (picture.name.empty())
+        return picture.note.empty() ? Json(nullptr)
+                                    : Json{{"file", nullptr}, {"note", picture.note}};
     Json json{{"file", picture_file(figure, picture)}};
     if (picture.limit) json["limit"] = *picture.limit;
     return json;

@@ -13,7 +13,8 @@ namespace lacquer::study {
 // null]}]}, {"kind": "plots", "title", "plots": [{"title", "x", "y", "curves": [{"label", "x", "y",
 // "errors"}]}]}, {"kind": "maps", "title", "maps": [{"title", "x", "y", "x_range", "y_range",
 // "file", "limit", "values"}]} or {"kind": "table", "title", "columns", "rows"}. "file" is the name
-// below the report's folder, without extension. What is not finite is null.
+// below the report's folder, without extension; a picture that a model cannot make is {"file":
+// null, "note": the reason}. What is not finite is null.
 std::string study_json(const StudyResult& result);
 
 // "pictures/FIGURE/NAME".

@@ -1,25 +1,14 @@
 #include "study/model_light.h"
 
-#include <cmath>
 #include <numbers>
+
+#include "study/even_point.h"
 
 namespace lacquer::study {
 
 namespace {
 
 constexpr int kPoints = 2048;
-
-// Points that fill the unit cube evenly.
-// Based on: Roberts 2018, The Unreasonable Effectiveness of Quasirandom Sequences
-glm::dvec3 even_point(int index) {
-    constexpr double kGrowth = 1.2207440846057596;  // the root of x^4 = x + 1
-    const auto coordinate = [index](double step) {
-        const double value = 0.5 + index * step;
-        return value - std::floor(value);
-    };
-    return {coordinate(1.0 / kGrowth), coordinate(1.0 / (kGrowth * kGrowth)),
-            coordinate(1.0 / (kGrowth * kGrowth * kGrowth))};
-}
 
 Material over_black(Material material) {
     material.base = LambertianBase{};
@@ -37,8 +26,16 @@ ModelLight::ModelLight(const Material& material, Model model)
 ModelLight::ModelLight(std::string name, std::shared_ptr<const reference::Shading> shading)
     : name_{std::move(name)}, shading_{std::move(shading)} {}
 
+ModelLight::ModelLight(std::string name, std::shared_ptr<const reference::Shading> shading,
+                       std::shared_ptr<const reference::Shading> over_black)
+    : name_{std::move(name)}, shading_{std::move(shading)}, over_black_{std::move(over_black)} {}
+
 ModelLight ModelLight::integrated(const Material& material, Model model) {
-    ModelLight light{material, model};
+    return ModelLight{material, model}.integrated();
+}
+
+ModelLight ModelLight::integrated() const {
+    ModelLight light = *this;
     light.has_albedo_ = false;
     return light;
 }
@@ -49,6 +46,10 @@ glm::dvec3 ModelLight::eval(const glm::dvec3& wi, const glm::dvec3& wo) const {
 
 glm::dvec3 ModelLight::base(const glm::dvec3& wi, const glm::dvec3& wo) const {
     return shading_->eval(wi, wo) - over_black_->eval(wi, wo);
+}
+
+reference::Sample ModelLight::sample(const glm::dvec3& wo, const glm::dvec3& u) const {
+    return shading_->sample(wo, u);
 }
 
 reference::Albedo ModelLight::albedo(const glm::dvec3& wo) const {

@@ -18,7 +18,8 @@ std::string title_html(const std::string& title) {
 }
 
 std::string picture_html(const Picture& picture, const std::string& what) {
-    if (picture.name.empty()) return "<div></div>";
+    if (picture.name.empty())
+        return fmt::format("<div class=\"absent\">{}</div>", escaped(picture.note));
     return fmt::format(
         R"(<figure><img width="{}" height="{}" alt="{}" decoding="async" src="{}">{}</figure>)",
         picture.numbers.width, picture.numbers.height, escaped(what), png_data_uri(png_of(picture)),
@@ -63,8 +64,9 @@ std::string html_of(const Maps& maps) {
     for (const Map& map : maps.maps) {
         Plot frame = map.frame;
         frame.backdrop = png_data_uri(png_of(map.picture));
-        svg += fmt::format("<div>{}{}</div>", svg_of(frame),
-                           difference_legend(map.picture.limit.value_or(1.0)));
+        svg +=
+            fmt::format("<div>{}{}</div>", svg_of(frame),
+                        difference_legend(map.picture.limit.value_or(1.0), map.below, map.above));
     }
     return fmt::format(R"(<div class="panel">{}<div class="plots">{}</div></div>)",
                        title_html(maps.title), svg);

@@ -103,8 +103,9 @@ ModelError picture_error(const View& view, const Radiance& radiance, const Radia
     for (std::size_t i = 0; i < radiance.values.size(); ++i) {
         const auto where = [&] {
             const Query query = query_of(view.grid, i);
-            return fmt::format("light at {:.0f} degrees, viewer at {:.0f}", angle_deg(query.wi.z),
-                               angle_deg(query.wo.z));
+            const std::string viewer = fmt::format("viewer at {:.0f}", angle_deg(query.wo.z));
+            if (!view.has_beam) return viewer + " degrees";
+            return fmt::format("light at {:.0f} degrees, {}", angle_deg(query.wi.z), viewer);
         };
         tally.add(mean(glm::abs(radiance.values[i] - truth.values[i])), mean(truth.errors[i]),
                   where);

@@ -20,6 +20,7 @@ struct View {
     std::string label;  // for people
     QueryGrid grid;
     double environment = 0.0;  // radiance from everywhere
+    bool has_beam = true;      // false: lit by surroundings that it does not describe
 };
 
 View sphere_view();

@@ -26,10 +26,11 @@ Figure sample_figure() {
     Image image{2, 1};
     image.at(0, 0) = {0.25f, 0.5f, 1.0f, 1.0f};
     Figure figure{"figure-1", "A < B", "what & why", "mean |error|"};
-    figure.panels.emplace_back(PictureTable{
-        "pictures",
-        {"simulation", "model"},
-        {{"sphere", {{"truth", image}, {"model", image, 0.5, "3 % off"}}}, {"none", {{}, {}}}}});
+    figure.panels.emplace_back(
+        PictureTable{"pictures",
+                     {"simulation", "model"},
+                     {{"sphere", {{"truth", image}, {"model", image, 0.5, "3 % off"}}},
+                      {"none", {{}, {.name = {}, .note = "shades < 2"}}}}});
     figure.panels.emplace_back(
         Plots{"plots", {{"curve", "x", "y", 0, 1, 0, 1, {{"a", {0, 1}, {0.5, kNan}}}}}});
     figure.panels.emplace_back(
@@ -59,6 +60,9 @@ TEST(StudyJson, HasAllPanelsAndErrors) {
     EXPECT_EQ(panels[0].at("rows").at(0).at("pictures").at(0).at("file"),
               "pictures/figure-1/truth");
     EXPECT_TRUE(panels[0].at("rows").at(1).at("pictures").at(0).is_null());
+    const json& absent = panels[0].at("rows").at(1).at("pictures").at(1);
+    EXPECT_TRUE(absent.at("file").is_null());
+    EXPECT_EQ(absent.at("note"), "shades < 2");
     EXPECT_TRUE(panels[1].at("plots").at(0).at("curves").at(0).at("y").at(1).is_null());
     EXPECT_EQ(panels[2].at("maps").at(0).at("values").at(0).at(0), 0.25);
     EXPECT_EQ(panels[3].at("rows").at(0).at(1), "2");
@@ -66,8 +70,9 @@ TEST(StudyJson, HasAllPanelsAndErrors) {
 
 TEST(StudyPage, EscapesItsTextAndHoldsItsPictures) {
     const std::string page = page_html(sample_result());
-    for (const char* part : {"A &lt; B", "what &amp; why", "A sample &amp; more", "&lt;there&gt;",
-                             "data:image/png;base64,", "<svg class=\"plot\"", "3 % off", "</html>"})
+    for (const char* part :
+         {"A &lt; B", "what &amp; why", "A sample &amp; more", "&lt;there&gt;", "shades &lt; 2",
+          "data:image/png;base64,", "<svg class=\"plot\"", "3 % off", "</html>"})
         EXPECT_THAT(page, HasSubstr(part));
 }
 
