@@ -5,12 +5,13 @@
 #include <chrono>
 
 #include "study/diffuse_interfaces/suite.h"
+#include "study/layered/suite.h"
 
 namespace lacquer::study {
 
 namespace {
 
-const std::array kSuites{kDiffuseInterfaces};
+const std::array kSuites{kDiffuseInterfaces, kLayered};
 
 }  // namespace
 
