@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "bake/dielectric.h"
@@ -117,6 +118,18 @@ Check check_of_mirror() {
             }};
 }
 
+Check check_of_lobes() {
+    return {"mean cosine of lobe nodes",
+            {kCosines, kAlphas},
+            [](const EnergyTables& tables, const Parameters& p) {
+                const auto nodes = tables.lobe(p[0], p[1]).cosines;
+                return std::accumulate(nodes.begin(), nodes.end(), 0.0) / kLobeNodes;
+            },
+            [](const Parameters& p, const SobolPoints& points, std::uint64_t seed) {
+                return mean_lobe_cosine(p[0], p[1], points, seed);
+            }};
+}
+
 ErrorSummary summarise(std::vector<double> errors, const std::vector<Parameters>& where) {
     ErrorSummary summary;
     const auto worst = std::max_element(errors.begin(), errors.end()) - errors.begin();
@@ -132,8 +145,9 @@ ErrorSummary summarise(std::vector<double> errors, const std::vector<Parameters>
 }  // namespace
 
 std::vector<Check> all_checks() {
-    return {check_of_t_down(),   check_of_t_up(),      check_of_r_up(), check_of_dielectric(),
-            check_of_multiple(), check_of_conductor(), check_of_tir(),  check_of_mirror()};
+    return {check_of_t_down(),     check_of_t_up(),     check_of_r_up(),
+            check_of_dielectric(), check_of_multiple(), check_of_conductor(),
+            check_of_tir(),        check_of_mirror(),   check_of_lobes()};
 }
 
 ErrorSummary judge_off_grid(const Check& check, const EnergyTables& tables, std::size_t count,

@@ -125,6 +125,15 @@ double reflected_once(double cos_theta, double alpha, const SobolPoints& points,
     return first_facet_means(cos_theta, alpha, points, node_seed, [](double) { return 0.0; }).first;
 }
 
+double mean_lobe_cosine(double cos_theta, double alpha, const SobolPoints& points,
+                        std::uint64_t node_seed) {
+    if (alpha <= 0.0) return cos_theta;
+    constexpr double kDiffuse = 2.0 / 3.0;
+    const auto [energy, cosine] =
+        first_facet_means(cos_theta, alpha, points, node_seed, [](double c) { return c; });
+    return cosine + (1.0 - energy) * kDiffuse;
+}
+
 double lobe_transmittance(double cos_theta, double alpha, double eta, const SobolPoints& points,
                           std::uint64_t node_seed) {
     const auto transmittance = [eta](double cosine) {

@@ -50,6 +50,11 @@ std::vector<double> reflected_by_facets(double cos_theta, double alpha, const Fr
 double reflected_once(double cos_theta, double alpha, const SobolPoints& points,
                       std::uint64_t node_seed);
 
+// Mean cosine of the light that perfect mirrors make of light arriving at cos_theta: what leaves
+// after one facet, and what is lost by that as diffuse light, spread over the hemisphere.
+double mean_lobe_cosine(double cos_theta, double alpha, const SobolPoints& points,
+                        std::uint64_t node_seed);
+
 // Mean of 1 - F(eta) over the directions into which mirror facets reflect light arriving at
 // cos_theta, first facet only.
 double lobe_transmittance(double cos_theta, double alpha, double eta, const SobolPoints& points,
