@@ -2,7 +2,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL ES 3.10, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 e26045252e734ab0b3d4126a5247784892bdac515e2f60151125ae96c8039762.
+// Generated; source sha256 b240fc995199044bac30bee4cc279ee1a13b2b2c029106fc9c7bb2abbe5d1a31.
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
