@@ -106,8 +106,8 @@ class Errors {
 constexpr double kMeanError = 0.01;
 // Measured over 4000 slabs: 0.041, and over 1000 where light scatters backwards: 0.066. Rounded up.
 constexpr double kMaxError = 0.05, kMaxErrorBackwards = 0.08;
-// Errors of single directions cancel in diffuse light (measured: 0.019).
-constexpr double kMaxDiffuseError = 0.025;
+// Errors of single directions cancel in diffuse light (measured: 0.012).
+constexpr double kMaxDiffuseError = 0.02;
 // By no more than that many standard errors is the simulator off.
 constexpr double kSureNoises = 5.0;
 
@@ -157,7 +157,7 @@ void expect_energies(double min_g, double max_g, double max_error, int configura
 }
 
 TEST(ScatteringSimulation, EnergyOfForwardScattering) {
-    expect_energies(0.0, 0.95, kMaxError, 240, 20'000);
+    expect_energies(0.0, 0.95, kMaxError, 180, 20'000);
 }
 
 TEST(ScatteringSimulation, EnergyOfBackwardScattering) {
@@ -250,12 +250,14 @@ constexpr double kShareWithin = 0.88, kMeanWidthError = 0.045, kMaxWidthError = 
 constexpr double kMeanScatteredError = 0.06;  // measured: 0.049
 constexpr double kMeanSineError = 0.03;       // measured: 0.023
 
-// Slabs whose transmitted light the simulator knows well.
-bool knows_width(const Configuration& at, const simulator::Distribution& truth) {
-    constexpr double kLeastLight = 0.02, kLeastDepth = 0.03;
-    return truth.energy.mean[0] > kLeastLight && at.slab.scattering > kLeastDepth &&
-           at.slab.scattering * (1.0 - at.slab.g) <= kMostTurning;
+// Slabs that turn some light, but not all.
+bool has_width(const ScatteringSlab& slab) {
+    constexpr double kLeastDepth = 0.03;
+    return slab.scattering > kLeastDepth && slab.scattering * (1.0 - slab.g) <= kMostTurning;
 }
+
+// Less transmitted light than that leaves the simulator in doubt about its width.
+constexpr double kLeastLight = 0.02;
 
 // What the simulated light has without the part that was not scattered, which Beer's law gives.
 double scattered_spread(const Configuration& at, const simulator::Distribution& truth) {
@@ -319,8 +321,9 @@ void expect_widths(int configurations, std::uint64_t walks) {
     WidthErrors errors;
     for (int n = 0; n < configurations; ++n) {
         const Configuration at = random_configuration(generator, 0.0, 0.95);
+        if (!has_width(at.slab)) continue;
         const auto light = simulate(at, walks, n);
-        if (knows_width(at, light.transmitted)) errors.add(at, light);
+        if (light.transmitted.energy.mean[0] > kLeastLight) errors.add(at, light);
     }
     errors.print();
     EXPECT_GE(errors.lobe.share_within(kWidthError), kShareWithin);
