@@ -38,15 +38,17 @@ errors, its throughput and device. Ends with exit code 1 where a backend is past
 or breaks down. Backends that cannot run here are skipped, unless they were named.
 
 With --suite diffuse-interfaces it makes the figures of the paper on rough coats over Lambertian
-bases instead: what simulated light does, what each model makes of it, and how far it is off. Prints
-the errors; --report writes a page with all pictures and curves.
+bases instead, with --suite layered those of the paper on stacks of layers: what simulated light
+does, what each model makes of it, and how far it is off. Prints the errors; --report writes a page
+with all pictures and curves.
 
 Examples:
   lacquer compare
   lacquer compare --backend vulkan --backend wgsl-wgpu --material gold --report report
   lacquer compare --device nvidia --json > compare.json
   lacquer compare --update-readme README.md
-  lacquer compare --suite diffuse-interfaces --report report)";
+  lacquer compare --suite diffuse-interfaces --report report
+  lacquer compare --suite layered --report report)";
 
 struct Arguments {
     std::vector<std::string> backends;
@@ -161,8 +163,9 @@ void add_compare_command(CLI::App& app) {
     command->add_option("--model", arguments->model, "How materials are shaded")
         ->capture_default_str();
     command
-        ->add_option("--suite", arguments->suite,
-                     "default (the backends), or the figures of a paper: diffuse-interfaces")
+        ->add_option(
+            "--suite", arguments->suite,
+            "default (the backends), or the figures of a paper: diffuse-interfaces, layered")
         ->capture_default_str();
     add_walk_options(*command, arguments->simulate,
                      "Walks of light in each simulated picture of a paper's figures "

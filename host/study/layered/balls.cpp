@@ -61,11 +61,11 @@ Figure saturation_figure(const StudyRun& run) {
     constexpr int kOneReflection = 3;
     Figure figure{
         "figure-11", "Figure 11: light between the interfaces deepens the colour",
-        "Copper under a rough coat of index 2. The last column simulates only light that meets one "
-        "facet at each interface it reaches: paler and darker, for what the coat sends back down "
-        "meets the metal again. stack has that light, with the colour of light that met the metal "
-        "twice or more, and leaves to either side of the simulation only where lobes are broader "
-        "than those of any GGX surface. weidlich-wilkie, clearcoat and plain have none of it.",
+        "Copper under a rough coat of index 2. The last column simulates only light that meets "
+        "one facet at each interface it reaches, in and off the metal and out: it is darker, and "
+        "paler, for what the coat sends back down meets the metal again and takes its colour once "
+        "more. stack has that light. weidlich-wilkie, clearcoat and plain let the copper shine "
+        "through as if the coat sent nothing back.",
         kPictureMeasure};
     const Material material =
         stack_of("copper under index 2, alpha 0.3", {coat(2.0, 0.3)}, metal("copper", 0.3));
@@ -82,12 +82,13 @@ Figure saturation_figure(const StudyRun& run) {
 Figure frosted_metal_figure(const StudyRun& run) {
     Figure figure{
         "figure-13", "Figure 13: frosted metal",
-        "A rough coat of index 1.5 over polished gold. What the gold mirrors has crossed the rough "
-        "coat twice, and comes out as blurred as it: in the simulation nothing of the window is "
-        "left. weidlich-wilkie, clearcoat and plain keep the gold a mirror, whose reflection is "
-        "sharp, and whose light lies in one pixel of the slice. stack widens the lobe of the gold. "
-        "It is a GGX lobe about the mirror direction, where simulated light leaves a little nearer "
-        "to the normal, and without the tail to the side.",
+        "A rough coat of index 1.5 over polished gold. What the gold mirrors has crossed the "
+        "rough coat twice: at alpha 0.1 the panes of the window run together, at 0.3 only a glow "
+        "is left. weidlich-wilkie, clearcoat and plain keep the gold a mirror, whose reflection "
+        "is sharp, and whose light lies in one pixel of the slice. stack widens the lobe of the "
+        "gold to that of the simulation, but a GGX lobe has a longer tail: in the slices it is "
+        "too bright towards the normal and too dark at its peak, and it lacks the faint light "
+        "near the horizon that went back and forth and took on the gold's colour again.",
         kPictureMeasure};
     std::vector<Material> materials;
     for (const double alpha : {0.1, 0.3})
@@ -106,9 +107,9 @@ Figure scattering_film_figure(const StudyRun& run) {
         "figure-14", "Figure 14: gold under a medium that scatters",
         "Gold of alpha 0.05 below a medium without interfaces, g 0.7, sigma_s 1, sigma_a 0, of "
         "growing thickness. Each crossing blurs the gold's reflection and takes light out of it; "
-        "from thickness 2 on most light has been scattered several times, and what returns without "
-        "having reached the gold, uncoloured, veils it. plain leaves the medium out; the others "
-        "refuse it.",
+        "from thickness 2 on most light has been scattered several times, and what returns "
+        "without having reached the gold, uncoloured, veils it. A model that does not know the "
+        "medium leaves it out (plain) or refuses the material.",
         kPictureMeasure};
     std::vector<Material> materials;
     for (const double thickness : {0.25, 0.5, 1.0, 2.0, 4.0})
@@ -125,8 +126,11 @@ Figure smooth_coat_figure(const StudyRun& run) {
         "figure-17", "Figure 17: a smooth coat over rough metal",
         "A coat of index 1.4 and alpha 0.01 over a metal of index 1 + i and alpha 0.1: a sharp "
         "reflection over a blurred one. The studio's edges are wider than the sharp lobe, so that "
-        "the pixels of all columns can hold them; in the slice, whose pixels are as wide as the "
-        "lobe, models are averaged over each pixel as the simulation is.",
+        "single rays per pixel draw it; the slice has pixels as wide as the lobe, and models are "
+        "averaged over each as the simulation is. clearcoat and plain do not refract: their metal "
+        "is brighter and less blurred. stack has the right light, a little too much of it in the "
+        "mirror direction; at 70 degrees what leaves the coat is spread to the sides and towards "
+        "the normal, as no lobe of one roughness is.",
         kPictureMeasure};
     const Material material =
         stack_of("1.4, alpha 0.01 over 1 + i", {coat(1.4, 0.01)}, grey_conductor(1.0, 1.0, 0.1));
@@ -139,11 +143,10 @@ Figure smooth_coat_figure(const StudyRun& run) {
 Figure two_layer_grid_figure(const StudyRun& run) {
     Figure figure{
         "figure-22", "Figure 22: two layers, smooth to rough",
-        "Gold under a coat of index 1.5, each of three roughnesses. The wider of the two decides "
-        "how the gold looks; light that goes back and forth deepens its colour where the coat is "
-        "rough. Near the rim metals take on the tint of their reflectance at grazing angles, which "
-        "light refracted by the coat never sees: stack follows, since it averages the metal's "
-        "reflectance over the refracted lobe.",
+        "Gold under a coat of index 1.5, each of three roughnesses. The rougher of the two "
+        "decides how the gold looks, and light that goes back and forth deepens its colour. stack "
+        "is farthest off under a rough coat over smooth gold, where the peak of its lobe is too "
+        "low: see figure 13.",
         kPictureMeasure};
     std::vector<Material> materials;
     for (const double top : {0.05, 0.2, 0.5})
@@ -158,11 +161,10 @@ Figure coated_coats_figure(const StudyRun& run) {
     Figure figure{
         "figure-10-of-2022", "Figure 10 of 2022: a smooth coat over a coated Lambertian base",
         "A smooth coat of index eta_0 over one of index 2, rough or not, over a base of albedo "
-        "0.9, "
-        "0.1 and 0.1. The base's light leaves by the exact lobe of any reciprocal stack, so that "
-        "what stack has left to err in is the energy of light between the rough interfaces, and "
-        "the shape of what the second interface reflects. weidlich-wilkie and clearcoat shade one "
-        "layer; plain leaves out the second and has no light between layer and base.",
+        "0.9, 0.1 and 0.1. The base's light leaves by the exact lobe of any reciprocal stack; "
+        "what stack has left to err in is the energy of light between rough interfaces and the "
+        "shape of what the second one reflects. plain leaves out the second coat and the light "
+        "between coat and base.",
         kPictureMeasure};
     std::vector<Material> materials;
     for (const double eta : {1.2, 2.0})

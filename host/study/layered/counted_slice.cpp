@@ -14,6 +14,7 @@ namespace lacquer::study {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr std::uint64_t kSliceShare = 2;
 constexpr int kSteps = 4;  // of a pixel's side
 constexpr double kGrazing = 1e-3;
 
@@ -35,7 +36,7 @@ Radiance simulate_counted_slice(const View& view, const Material& material, cons
     const int size = view.grid.width;
     const auto counted =
         simulator::estimate_slice(simulator::StackWalk{material}, wo, size,
-                                  run.options(run.samples, material.name + view.name));
+                                  run.options(run.share(kSliceShare), material.name + view.name));
     Radiance radiance;
     for (std::size_t i = 0; i < view.grid.query_count(); ++i) {
         const auto pixel = view.grid.pixels[i], width = static_cast<std::uint32_t>(size);

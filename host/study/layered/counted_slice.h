@@ -9,8 +9,8 @@
 
 namespace lacquer::study {
 
-// From run.samples walks; `view` a slice. Pixels that mirror each other in the plane of the viewer
-// share their light.
+// From run.samples / 2 walks; `view` a slice. Pixels that mirror each other in the plane of the
+// viewer share their light.
 Radiance simulate_counted_slice(const View& view, const Material& material, const StudyRun& run);
 
 // Averaged over each pixel, since the lobes of smooth interfaces are as narrow as one.

@@ -100,10 +100,10 @@ Figure stack_furnace_figure(const StudyRun& run) {
         "figure-12", "Figure 12: five layers over a mirror lose nothing",
         "Interfaces of index 1.3 and 1 in turn over a perfect mirror, all of one roughness: all "
         "light comes back, as the dots at 1 say. The albedo of stack is 1 by construction of its "
-        "energies; the lobes that a renderer integrates add up to less where they are wide and "
-        "near grazing, since GGX lobes about the mirror direction then reach below the horizon. "
-        "weidlich-wilkie and clearcoat shade the first layer alone, in the second row of plots, "
-        "and lose light even there.",
+        "energies, and so is the sum of the lobes that a renderer integrates. weidlich-wilkie and "
+        "clearcoat shade the first layer alone, in the second row of plots: weidlich-wilkie loses "
+        "what the coat sends back down, clearcoat what meets several facets. plain makes light "
+        "from nothing where coats are smooth.",
         "plots: mean and largest |albedo - simulated|; pictures: " + std::string{kPictureMeasure}};
     Plots five{"Albedo in a white furnace, five layers", {}}, one{"One layer over the mirror", {}};
     for (const double alpha : {0.0, 0.1, 0.4}) {

@@ -123,8 +123,8 @@ void add_kind(Figure& figure, NumberTable& table, BaseKind kind, int coats, cons
         figure.errors.push_back(error);
         table.rows.push_back({subject, model.name, fmt::format("{:.4f}", error.mean),
                               fmt::format("{:.4f}", found->second.quantile(0.95)),
-                              fmt::format("{:.4f}", error.max), fmt::format("{:.4f}", error.noise),
-                              error.where});
+                              fmt::format("{:.4f}", error.max),
+                              fmt::format("{:.4f}", error.noise)});
     }
 }
 
@@ -139,8 +139,7 @@ Figure random_stacks_figure(const StudyRun& run) {
                     "0.8; cos_theta from 0.05. weidlich-wilkie and clearcoat shade one coat.",
                     kStacks),
         "mean and largest |error| of the directional albedo"};
-    NumberTable table{
-        "", {"stacks", "model", "mean", "95 % below", "max", "noise", "largest at"}, {}};
+    NumberTable table{"", {"stacks", "model", "mean", "95 % below", "max", "noise"}, {}};
     for (const BaseKind kind : {BaseKind::conductor, BaseKind::lambertian})
         for (int coats = 1; coats <= kMostCoats; ++coats) add_kind(figure, table, kind, coats, run);
     figure.panels.emplace_back(std::move(table));

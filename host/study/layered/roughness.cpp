@@ -35,13 +35,11 @@ Figure equal_roughness_figure(const StudyRun& run) {
     Figure figure{
         "figure-19", "Figure 19: coat and metal equally rough",
         "A coat of index 2 over a metal of index 0.01 + i, which absorbs next to nothing. The "
-        "paper "
-        "left out light that meets several facets of one interface; here both have it. Up to alpha "
-        "0.3 stack is near; from 0.5 on lobes are so wide that much of each lies below the "
-        "horizon, "
-        "and a GGX lobe about the mirror direction is not their shape: simulated light leaves "
-        "nearer to the normal and is spread more evenly. The other models let a mirror's light "
-        "through a rough coat.",
+        "paper left out light that meets several facets of one interface; here both have it. The "
+        "balls of stack are near at all roughnesses, its lobes are not: at alpha 0.3 they still "
+        "point forwards where simulated light has forgotten where it came from, at 0.8 they send "
+        "too much to the horizon and too little along the normal. weidlich-wilkie, clearcoat and "
+        "plain lose the light that goes back and forth, which is most of it.",
         std::string{"pictures: "} + kPictureMeasure + "; " + kStatisticsMeasure};
     std::vector<Shown> shown;
     for (const double alpha : {0.1, 0.3, 0.5, 0.8, 1.0})
@@ -62,11 +60,12 @@ Figure variance_figure(const StudyRun& run) {
     Figure figure{
         "figure-21", "Figure 21: the width of a stack's light",
         "Seen along the normal. Two layers: index 1.4 of alpha_0 over 1 + i of alpha 0.3. Four: "
-        "1.4 of alpha_0, 1.2 of alpha 0.1 and 1.4 of alpha 0.1 over 1 + i of alpha 0.01. The width "
-        "is the standard deviation of directions on the projected disk, per axis. stack adds "
-        "variances in a space where those of GGX lobes add nearly, and stays within a few "
-        "hundredths of the simulation; plain, clearcoat and weidlich-wilkie give the light from "
-        "the metal the width that it has without a coat. (plain leaves out the inner layers.)",
+        "1.4 of alpha_0, 1.2 and 1.4 of alpha 0.1 over 1 + i of alpha 0.01. The width is the "
+        "standard deviation of directions on the projected disk, per axis. stack adds variances "
+        "in a space where those of GGX lobes nearly add: two layers come out right, four too "
+        "wide, most of all where every lobe is narrow. plain, clearcoat and weidlich-wilkie give "
+        "the light from the metal the width that it has without a coat; plain leaves out the "
+        "inner layers.",
         kStatisticsMeasure};
     figure.panels.emplace_back(
         statistics_plots(figure, {"two layers", kTopAlpha, 1.0, two_layers}, run));

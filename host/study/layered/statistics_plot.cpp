@@ -18,7 +18,7 @@ const char* const kStatisticsMeasure =
 
 namespace {
 
-constexpr std::uint64_t kDotShare = 1 << 5;
+constexpr std::uint64_t kDotShare = 1 << 6;
 constexpr double kLeastEnergy = 0.01;  // whose width the simulation knows
 constexpr double kLeastWidth = 0.01;   // models have no lobes narrower than alpha 0.001
 constexpr double kWidthTop = 0.6;      // a Lambertian surface has 0.5
