@@ -103,7 +103,7 @@ Figure stack_furnace_figure(const StudyRun& run) {
         "energies, and so is the sum of the lobes that a renderer integrates. weidlich-wilkie and "
         "clearcoat shade the first layer alone, in the second row of plots: weidlich-wilkie loses "
         "what the coat sends back down, clearcoat what meets several facets. plain makes light "
-        "from nothing where coats are smooth.",
+        "from nothing near grazing.",
         "plots: mean and largest |albedo - simulated|; pictures: " + std::string{kPictureMeasure}};
     Plots five{"Albedo in a white furnace, five layers", {}}, one{"One layer over the mirror", {}};
     for (const double alpha : {0.0, 0.1, 0.4}) {

@@ -62,7 +62,8 @@ Figure variance_figure(const StudyRun& run) {
         "Seen along the normal. Two layers: index 1.4 of alpha_0 over 1 + i of alpha 0.3. Four: "
         "1.4 of alpha_0, 1.2 and 1.4 of alpha 0.1 over 1 + i of alpha 0.01. The width is the "
         "standard deviation of directions on the projected disk, per axis. stack adds variances "
-        "in a space where those of GGX lobes nearly add: two layers come out right, four too "
+        "in a space where those of GGX lobes nearly add: two layers come out within a tenth, four "
+        "too "
         "wide, most of all where every lobe is narrow. plain, clearcoat and weidlich-wilkie give "
         "the light from the metal the width that it has without a coat; plain leaves out the "
         "inner layers.",
