@@ -19,8 +19,9 @@ using test::run_lacquer;
 using test::TemporaryFolder;
 
 const std::set<std::string> kFigures{
-    "figure-11", "figure-12", "figure-13", "figure-14",         "figure-15",    "figure-17",
-    "figure-19", "figure-21", "figure-22", "figure-10-of-2022", "validity-map", "random-stacks"};
+    "figure-11",    "figure-12",     "figure-13",        "figure-14", "figure-15",
+    "figure-17",    "figure-19",     "figure-21",        "figure-22", "figure-10-of-2022",
+    "validity-map", "random-stacks", "bundled-materials"};
 const std::set<std::string> kBaselines{"weidlich-wilkie", "clearcoat", "plain"};
 
 struct Run {

@@ -1,14 +1,16 @@
-// Figures 11, 13, 14, 17 and 22 of 2018 and 10 of 2022: materials as balls.
+// Figures 11, 13, 14, 17 and 22 of 2018 and 10 of 2022, and the bundled materials, as balls.
 #include <fmt/format.h>
 
 #include <array>
 
+#include "core/paths.h"
 #include "simulator/albedo.h"
 #include "study/diffuse_interfaces/abscissa.h"
 #include "study/diffuse_interfaces/albedo_plot.h"
 #include "study/layered/ball.h"
 #include "study/layered/stack_pictures.h"
 #include "study/layered/stacks.h"
+#include "study/layered/statistics_plot.h"
 #include "study/layered/suite.h"
 
 namespace lacquer::study {
@@ -53,6 +55,20 @@ Plots albedo_plots(const Material& material, const StudyRun& run) {
     }
     return plots;
 }
+
+constexpr Abscissa kThickness{"thickness", 0.1, 4.0, true};
+
+Material filmed_gold(double thickness) {
+    constexpr double kForward = 0.7;
+    return stack_of(fmt::format("thickness {}", thickness), {scattering_film(thickness, kForward)},
+                    metal("gold", 0.05));
+}
+
+// The bundled materials that have more than a model of one layer over a base knows.
+constexpr std::array kBundled{"two_tone_car_paint",   "frosted_metal",     "anodised_aluminium",
+                              "brushed_coated_steel", "wet_clay",          "pearl_over_gold",
+                              "five_layer_furnace",   "clear_glass_plate", "tinted_glass",
+                              "varnished_wood"};
 
 }  // namespace
 
@@ -102,7 +118,6 @@ Figure frosted_metal_figure(const StudyRun& run) {
 }
 
 Figure scattering_film_figure(const StudyRun& run) {
-    constexpr double kForward = 0.7;
     Figure figure{
         "figure-14", "Figure 14: gold under a medium that scatters",
         "Gold of alpha 0.05 below a medium without interfaces, g 0.7, sigma_s 1, sigma_a 0, of "
@@ -110,14 +125,15 @@ Figure scattering_film_figure(const StudyRun& run) {
         "from thickness 2 on most light has been scattered several times, and what returns "
         "without having reached the gold, uncoloured, veils it. A model that does not know the "
         "medium leaves it out (plain) or refuses the material.",
-        kPictureMeasure};
+        std::string{"pictures: "} + kPictureMeasure + "; " + kStatisticsMeasure};
     std::vector<Material> materials;
     for (const double thickness : {0.25, 0.5, 1.0, 2.0, 4.0})
-        materials.push_back(stack_of(fmt::format("thickness {}", thickness),
-                                     {scattering_film(thickness, kForward)}, metal("gold", 0.05)));
+        materials.push_back(filmed_gold(thickness));
     add_pictures(figure, "In the studio", shown_balls(materials, run));
     figure.panels.emplace_back(albedo_plots(materials[2], run));
     std::get<Plots>(figure.panels.back()).title += ", thickness 1";
+    figure.panels.emplace_back(
+        statistics_plots(figure, {"growing thickness", kThickness, 1.0, filmed_gold}, run));
     return figure;
 }
 
@@ -172,6 +188,23 @@ Figure coated_coats_figure(const StudyRun& run) {
             materials.push_back(stack_of(fmt::format("eta_0 {}, alpha_1 {}", eta, alpha),
                                          {coat(eta, 0.0), coat(2.0, alpha)},
                                          LambertianBase{{0.9, 0.1, 0.1}}));
+    add_pictures(figure, "In the studio", shown_balls(materials, run));
+    return figure;
+}
+
+Figure bundled_materials_figure(const StudyRun& run) {
+    Figure figure{
+        "bundled-materials", "The bundled layered materials",
+        "What lacquer's own materials of several layers look like, and how far each model is from "
+        "that. The steel is brushed from the middle of the ball outwards; stack has one roughness "
+        "for it. Each place of a glass ball is a plate, through which the room is seen: dark "
+        "where a model has no transmitted lobe. plain leaves out all media, and with them most "
+        "colours.",
+        kPictureMeasure};
+    std::vector<Material> materials;
+    for (const char* name : kBundled)
+        materials.push_back(
+            load_material(share_folder() / "materials" / (std::string{name} + ".json")));
     add_pictures(figure, "In the studio", shown_balls(materials, run));
     return figure;
 }

@@ -21,8 +21,9 @@ Figure two_layer_grid_figure(const StudyRun& run);
 Figure coated_coats_figure(const StudyRun& run);
 Figure validity_map_figure(const StudyRun& run);
 Figure random_stacks_figure(const StudyRun& run);
+Figure bundled_materials_figure(const StudyRun& run);
 
-inline constexpr std::array<FigureEntry, 12> kLayeredFigures{{
+inline constexpr std::array<FigureEntry, 13> kLayeredFigures{{
     {"figure-11", saturation_figure},
     {"figure-12", stack_furnace_figure},
     {"figure-13", frosted_metal_figure},
@@ -35,6 +36,7 @@ inline constexpr std::array<FigureEntry, 12> kLayeredFigures{{
     {"figure-10-of-2022", coated_coats_figure},
     {"validity-map", validity_map_figure},
     {"random-stacks", random_stacks_figure},
+    {"bundled-materials", bundled_materials_figure},
 }};
 
 inline constexpr Suite kLayered{
