@@ -107,8 +107,9 @@ ModelError picture_error(const View& view, const Radiance& radiance, const Radia
             if (!view.has_beam) return viewer + " degrees";
             return fmt::format("light at {:.0f} degrees, {}", angle_deg(query.wi.z), viewer);
         };
-        tally.add(mean(glm::abs(radiance.values[i] - truth.values[i])), mean(truth.errors[i]),
-                  where);
+        const double own = radiance.errors.empty() ? 0.0 : mean(radiance.errors[i]);
+        tally.add(mean(glm::abs(radiance.values[i] - truth.values[i])),
+                  std::hypot(mean(truth.errors[i]), own), where);
         all += mean(truth.values[i]);
     }
     return tally.result(all);

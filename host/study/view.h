@@ -28,7 +28,7 @@ View sphere_view();
 // For a viewer at `theta_o_deg` from the normal.
 View slice_view(double theta_o_deg);
 
-// Radiance per query of a view, with its standard error where it was simulated.
+// Radiance per query of a view, with its standard error where it was simulated or sampled.
 struct Radiance {
     std::vector<glm::dvec3> values, errors{};
 };
@@ -45,7 +45,7 @@ Picture difference_picture(const View& view, const Radiance& radiance, const Rad
 
 // The mean |difference| over all pixels and channels, as a share of all of truth's radiance; the
 // largest is that of one pixel, averaged over its channels, in radiance, beyond three standard
-// errors of truth.
+// errors of both.
 ModelError picture_error(const View& view, const Radiance& radiance, const Radiance& truth,
                          const std::string& subject, std::string_view model);
 

@@ -94,6 +94,21 @@ TEST(LayeredLight, BallsOfModelAndSimulationAgreeWhereTheModelIsExact) {
     EXPECT_NEAR(sum / static_cast<double>(truth.values.size()), 0.0, 0.1 * kEvenPoints);
 }
 
+TEST(LayeredLight, HalvesOfAModelsSamplesTellItsError) {
+    constexpr double kEvenPoints = 0.02;
+    const ModelLight model{matte(0.8), Model::plain};
+    const glm::dvec3 normal = kNormals[0], wo = local_viewer(normal, kCamera);
+    const std::array frames{frame_towards(normal, kCamera)};
+    const auto emit = [&](std::uint64_t n) { return sampled(model, wo, n); };
+    const Radiance white = received_evenly(frames, white_furnace, 512, emit);
+    EXPECT_NEAR(white.values[0].x, 0.8, kRounding);
+    EXPECT_NEAR(white.errors[0].x, 0.0, kRounding);
+    const Radiance room = received_evenly(frames, studio, 512, emit);
+    EXPECT_GT(room.errors[0].x, 0.0);
+    EXPECT_LT(room.errors[0].x, kEvenPoints);
+    EXPECT_NEAR(room.values[0].x, received(frames, studio, 512, emit).values[0].x, kRounding);
+}
+
 TEST(LayeredLight, AMatteSliceIsTheCosine) {
     const View view = slice_view(30.0);
     const Material material = matte(0.5);

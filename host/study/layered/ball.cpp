@@ -41,15 +41,14 @@ std::vector<Ring> rings_of(const QueryGrid& grid) {
     return rings;
 }
 
-// `emit(ring index, ring)` gives what received(...) asks for.
-template <typename Emit>
-Radiance on_ball(const View& view, const std::vector<Ring>& rings, Surroundings surroundings,
-                 std::uint64_t count, const Emit& emit) {
+// `receive(ring index, ring)` gives the radiance in each of the ring's frames.
+template <typename Receive>
+Radiance on_ball(const View& view, const std::vector<Ring>& rings, const Receive& receive) {
     Radiance radiance{std::vector<glm::dvec3>(view.grid.query_count()),
                       std::vector<glm::dvec3>(view.grid.query_count())};
     tbb::parallel_for(std::size_t{0}, rings.size(), [&](std::size_t r) {
         const Ring& ring = rings[r];
-        const Radiance part = received(ring.frames, surroundings, count, emit(r, ring));
+        const Radiance part = receive(r, ring);
         for (std::size_t n = 0; n < ring.queries.size(); ++n) {
             radiance.values[ring.queries[n]] = part.values[n];
             radiance.errors[ring.queries[n]] = part.errors[n];
@@ -70,21 +69,20 @@ Radiance simulate_ball(const View& view, const simulator::StackWalk& stack,
     const std::vector<Ring> rings = rings_of(view.grid);
     const std::uint64_t count = std::max(run.share(kBallShare) / rings.size(), kLeastWalks);
     const std::uint64_t seed = run.seed_of(name);
-    return on_ball(view, rings, surroundings, count, [&](std::size_t r, const Ring& ring) {
-        return [&stack, &ring, seed, r, count, max_order](std::uint64_t n) {
+    return on_ball(view, rings, [&](std::size_t r, const Ring& ring) {
+        return received(ring.frames, surroundings, count, [&](std::uint64_t n) {
             return walked(stack, ring.wo, seed, r * count + n, max_order);
-        };
+        });
     });
 }
 
 Radiance shade_ball(const View& view, const ModelLight& model, Surroundings surroundings,
                     std::uint64_t points) {
-    return on_ball(view, rings_of(view.grid), surroundings, points,
-                   [&](std::size_t r, const Ring& ring) {
-                       return [&model, &ring, r, points](std::uint64_t n) {
-                           return sampled(model, ring.wo, r * points + n);
-                       };
-                   });
+    return on_ball(view, rings_of(view.grid), [&](std::size_t r, const Ring& ring) {
+        return received_evenly(ring.frames, surroundings, points, [&](std::uint64_t n) {
+            return sampled(model, ring.wo, r * points + n);
+        });
+    });
 }
 
 }  // namespace lacquer::study

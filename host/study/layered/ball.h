@@ -18,7 +18,7 @@ Radiance simulate_ball(const View& view, const simulator::StackWalk& stack,
                        int max_order = simulator::kAllOrders);
 
 // By so many of the model's own samples for each distance from the middle, each of which serves 16
-// pixels.
+// pixels; with errors, see received_evenly.
 Radiance shade_ball(const View& view, const ModelLight& model, Surroundings surroundings,
                     std::uint64_t points);
 

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kCells = 49;  // of either side of a plate
 constexpr std::uint64_t kCellShare = 1 << 11;
-constexpr std::uint64_t kModelPoints = 256;  // of each cell
+constexpr std::uint64_t kModelPoints = 512;  // of each cell
 using std::numbers::pi;
 constexpr double kSureErrors = 3.0;
 
@@ -84,9 +84,11 @@ struct Seen {
     glm::dvec3 value{0.0}, error{0.0};
 };
 
-Seen seen_in(const Cell& cell, std::uint64_t count, const Emit& emit) {
+using Receive = decltype(received);
+
+Seen seen_in(const Cell& cell, const Receive& receive, std::uint64_t count, const Emit& emit) {
     const std::array frames{frame_towards(cell.normal, glm::normalize(cell.viewer))};
-    const Radiance radiance = received(frames, studio, count, emit);
+    const Radiance radiance = receive(frames, studio, count, emit);
     return {radiance.values.front(), radiance.errors.front()};
 }
 
@@ -116,7 +118,7 @@ Cells simulate_plate(const Plate& plate, const StudyRun& run) {
         const Cell cell = cell_at(plate, i);
         const simulator::StackWalk stack{cell.material};
         const glm::dvec3 wo = viewer_of(cell);
-        return seen_in(cell, count, only(plate.side, [&](std::uint64_t n) {
+        return seen_in(cell, received, count, only(plate.side, [&](std::uint64_t n) {
                            return walked(stack, wo, seed, i * count + n);
                        }));
     });
@@ -127,7 +129,7 @@ Cells shade_plate(const Plate& plate, std::size_t model) {
         const Cell cell = cell_at(plate, i);
         const std::vector<Compared> compared = compared_on(cell.material);
         const glm::dvec3 wo = viewer_of(cell);
-        return seen_in(cell, kModelPoints, only(plate.side, [&](std::uint64_t n) {
+        return seen_in(cell, received_evenly, kModelPoints, only(plate.side, [&](std::uint64_t n) {
                            return sampled(*compared[model].light, wo, n);
                        }));
     });
@@ -158,10 +160,11 @@ ModelError plate_error(const Cells& cells, const Cells& truth, const std::string
     ErrorTally tally{subject, model, kSureErrors};
     double all = 0.0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        tally.add(mean_of(glm::abs(cells[i].value - truth[i].value)), mean_of(truth[i].error), [&] {
-            return fmt::format("x {:.2f}, y {:.2f}", double(i % kCells) / (kCells - 1),
-                               1.0 - double(i / kCells) / (kCells - 1));
-        });
+        tally.add(mean_of(glm::abs(cells[i].value - truth[i].value)),
+                  std::hypot(mean_of(truth[i].error), mean_of(cells[i].error)), [&] {
+                      return fmt::format("x {:.2f}, y {:.2f}", double(i % kCells) / (kCells - 1),
+                                         1.0 - double(i / kCells) / (kCells - 1));
+                  });
         all += mean_of(truth[i].value);
     }
     return tally.result(all);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "simulator/rgb_estimate.h"
@@ -51,6 +52,21 @@ Radiance received(std::span<const Frame> frames, Surroundings surroundings, std:
         radiance.values.emplace_back(rgb.mean[0], rgb.mean[1], rgb.mean[2]);
         radiance.errors.emplace_back(rgb.standard_error[0], rgb.standard_error[1],
                                      rgb.standard_error[2]);
+    }
+    return radiance;
+}
+
+Radiance received_evenly(std::span<const Frame> frames, Surroundings surroundings,
+                         std::uint64_t count,
+                         const std::function<Outgoing(std::uint64_t n)>& emit) {
+    const std::uint64_t half = count / 2;
+    Radiance radiance = received(frames, surroundings, half, emit);
+    const Radiance other =
+        received(frames, surroundings, half, [&](std::uint64_t n) { return emit(half + n); });
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        const glm::dvec3 one = radiance.values[f];
+        radiance.values[f] = 0.5 * (one + other.values[f]);
+        radiance.errors[f] = 0.5 * glm::abs(one - other.values[f]);
     }
     return radiance;
 }

@@ -40,6 +40,11 @@ struct Outgoing {
 Radiance received(std::span<const Frame> frames, Surroundings surroundings, std::uint64_t count,
                   const std::function<Outgoing(std::uint64_t n)>& emit);
 
+// The same from two halves of `count` directions that each fill the light evenly; the errors are
+// half of what they differ by.
+Radiance received_evenly(std::span<const Frame> frames, Surroundings surroundings,
+                         std::uint64_t count, const std::function<Outgoing(std::uint64_t n)>& emit);
+
 // The n-th walk of light from the viewer's `wo`, reversed; lost where it meets more facets than
 // `max_order`.
 Outgoing walked(const simulator::StackWalk& stack, const glm::dvec3& wo, std::uint64_t seed,

@@ -12,14 +12,15 @@ namespace lacquer::study {
 
 const char* const kPictureMeasure =
     "mean |difference| of the pixels over their mean; max is the largest of a pixel, in radiance, "
-    "beyond three standard errors of the simulation";
+    "beyond three standard errors. The noise is that of the simulation and of the models' own "
+    "samples, by which balls and plates are shaded";
 
 namespace {
 
 // Samples of a model per pixel of a ball, for so many walks. Over a Lambertian base stack takes
 // long for each, and its light is even.
 std::uint64_t points_for(const Material& material, const StudyRun& run) {
-    const std::uint64_t points = std::clamp<std::uint64_t>(run.share(1 << 13), 64, 512);
+    const std::uint64_t points = std::clamp<std::uint64_t>(run.share(1 << 12), 64, 1024);
     return std::holds_alternative<LambertianBase>(material.base) ? points / 4 : points;
 }
 
