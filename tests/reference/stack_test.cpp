@@ -163,10 +163,24 @@ TEST(Stack, RefusesWhatItCannotShade) {
     Material bare;
     bare.base = conductor(0.2, 3.9, 0.4);
     EXPECT_THROW(prepare_stack(bare, tables()), Error);
-    Material cloudy;
-    cloudy.layers = {layer(1.5, 0.1, 1.0)};
-    cloudy.layers[0].medium = ScatteringMedium{{}, {1.0, 1.0, 1.0}, 0.5, 1.0};
-    EXPECT_THROW(prepare_stack(cloudy, tables()), Error);
+    Material diffuse;
+    diffuse.layers = {layer(1.5, 0.1, 1.0)};
+    diffuse.base = DiffuseFacetsBase{};
+    EXPECT_THROW(prepare_stack(diffuse, tables()), Error);
+}
+
+// That media which scatter and do not absorb keep all light over a white base.
+TEST(Stack, CloudyLayersInAWhiteFurnace) {
+    constexpr double kFurnace = 0.003;
+    Material material;
+    material.layers = {layer(1.5, 0.2, 1.0), layer(1.3, 0.3, 1.0)};
+    material.layers[0].medium = ScatteringMedium{{}, {1.0, 1.0, 1.0}, 0.7, 1.0};
+    material.layers[1].medium = ScatteringMedium{{}, {0.5, 0.5, 0.5}, 0.2, 2.0};
+    for (const Base& base : {Base{LambertianBase{{1.0, 1.0, 1.0}}}, Base{conductor(0, 5, 0.2)}}) {
+        material.base = base;
+        for (const double cos_theta : {0.2, 0.5, 1.0})
+            EXPECT_NEAR(total_albedo(material, cos_theta).x, 1.0, kFurnace) << cos_theta;
+    }
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "reference/facets.h"
-#include "reference/stack/lobe_shape.h"
+#include "reference/stack/lobe_width.h"
 #include "reference/stack/scattering.h"
 #include "simulator/goniophotometer.h"
 
@@ -239,7 +239,7 @@ double alpha_2018(const ScatteringSlab& slab, double cos_theta) {
     const SlabLight light = reference::slab_light_2018(slab, cos_theta);
     const double variance = reference::scattering_variance_2018(slab.g);
     const double width = variance / (1.0 + variance) * light.scattered / light.transmitted();
-    return reference::alpha_of_variance(width / (1.0 - width));
+    return std::sqrt(width);
 }
 
 // Where the direction of light is still remembered.

@@ -68,12 +68,20 @@ glm::dvec3 direction(double cos_theta) {
     return {std::sqrt(1.0 - cos_theta * cos_theta), 0.0, cos_theta};
 }
 
+std::string describe(const Medium& medium, std::size_t channel) {
+    if (const auto* absorbing = std::get_if<AbsorbingMedium>(&medium))
+        return fmt::format("tau {:.2f}", absorbing->tau[channel]);
+    const auto& slab = std::get<ScatteringMedium>(medium);
+    return fmt::format("sigma_a {:.2f} sigma_s {:.2f} g {:.2f}", slab.sigma_a[channel],
+                       slab.sigma_s[channel], slab.g);
+}
+
 std::string describe(const Configuration& at, std::size_t channel) {
     std::string text = fmt::format("cos {:.2f}", at.cos_theta);
     for (const Layer& layer : at.material.layers)
-        text += fmt::format(", [ior {:.2f} alpha {:.2f} tau {:.2f}]", layer.interface.ior,
+        text += fmt::format(", [ior {:.2f} alpha {:.2f} {}]", layer.interface.ior,
                             std::get<Microsurface>(layer.interface.roughness).alpha[0],
-                            std::get<AbsorbingMedium>(layer.medium).tau[channel]);
+                            describe(layer.medium, channel));
     if (const auto* lambertian = std::get_if<LambertianBase>(&at.material.base))
         return text + fmt::format(", albedo {:.2f}", lambertian->albedo[channel]);
     const auto& base = std::get<ConductorBase>(at.material.base);
@@ -117,11 +125,25 @@ class Errors {
     std::string where_;
 };
 
-Errors albedo_errors(BaseKind base, int coats, int configurations, std::uint64_t walks) {
+// Most media then scatter, up to three times along the normal on average.
+void make_cloudy(std::mt19937_64& generator, Configuration& at) {
+    for (Layer& layer : at.material.layers) {
+        if (uniform(generator, 0.0, 1.0) < 0.3) continue;
+        const double scattering = uniform(generator, 0.0, 3.0);
+        layer.medium = ScatteringMedium{uniform_rgb(generator, 0.0, 0.5),
+                                        {scattering, scattering, scattering},
+                                        uniform(generator, 0.0, 0.95),
+                                        1.0};
+    }
+}
+
+Errors albedo_errors(BaseKind base, int coats, int configurations, std::uint64_t walks,
+                     bool cloudy = false) {
     std::mt19937_64 generator{20180812u + static_cast<unsigned>(coats)};
     Errors errors;
     for (int n = 0; n < configurations; ++n) {
-        const Configuration at = random_configuration(generator, base, coats);
+        Configuration at = random_configuration(generator, base, coats);
+        if (cloudy) make_cloudy(generator, at);
         const glm::dvec3 wo = direction(at.cos_theta);
         const auto truth =
             simulator::estimate_distribution(simulator::StackWalk{at.material}, wo, {1, 1},
@@ -144,9 +166,9 @@ Errors albedo_errors(BaseKind base, int coats, int configurations, std::uint64_t
 
 // What the model promises of the total albedo, in the mean over stacks of as many coats.
 constexpr double kMeanAlbedoError = 0.006;
-// The largest error of 1280 stacks, rounded up (measured: 0.091). Rough coats seen at grazing
+// The largest error of 1160 stacks, rounded up (measured: 0.070). Rough coats seen at grazing
 // angles have it, whose light arrives below just about the critical angle of its way back.
-constexpr double kMaxAlbedoError = 0.1;
+constexpr double kMaxAlbedoError = 0.075;
 
 // Noise widens |errors| on average by no more than its standard error, and by more than five times
 // that never.
@@ -169,6 +191,19 @@ TEST(StackSimulation, AlbedoOverConductors) {
     expect_albedos(BaseKind::conductor, 24, 50'000);
 }
 
+// Over both bases, in the mean over stacks of as many coats (measured: 0.005 to 0.010), and the
+// largest (measured: 0.040).
+TEST(StackSimulation, AlbedoWithScatteringMedia) {
+    constexpr double kMeanCloudyError = 0.012, kMaxCloudyError = 0.06;
+    for (const BaseKind base : {BaseKind::lambertian, BaseKind::conductor})
+        for (int coats = 1; coats <= 2; ++coats) {
+            const Errors errors = albedo_errors(base, coats, 12, 20'000, true);
+            EXPECT_LE(errors.mean(), kMeanCloudyError + errors.noise()) << coats << " coats";
+            EXPECT_LE(errors.worst(), kMaxCloudyError + kSureNoises * errors.noise())
+                << coats << " coats";
+        }
+}
+
 // Root mean square distance from the mean, per axis of the projected disk, of light that a stack's
 // lobe reflects.
 double width_of(const reference::StackLobe& lobe, const glm::dvec3& wo) {
@@ -189,11 +224,11 @@ double width_of(const reference::StackLobe& lobe, const glm::dvec3& wo) {
 }
 
 // That the light of a conductor comes back as wide as it should, for alpha up to 0.5. Not always:
-// below a rough coat seen at grazing angles it is up to 1.6 times too wide.
+// below a rough coat seen at grazing angles it is up to 1.3 times too wide.
 void expect_widths(int configurations, std::uint64_t walks) {
     constexpr double kWidthError = 0.1;
-    constexpr double kShareWithin = 0.6;  // measured: 0.66 to 0.77 of stacks
-    constexpr double kLeastLight = 0.01;  // whose width the simulator knows
+    constexpr double kShareWithin = 0.75;  // measured: 0.86 of stacks
+    constexpr double kLeastLight = 0.01;   // whose width the simulator knows
     std::mt19937_64 generator{20180813u};
     Errors errors;
     int within = 0, all = 0;

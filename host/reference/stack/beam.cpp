@@ -1,41 +1,46 @@
 #include "reference/stack/beam.h"
 
+#include "reference/stack/lobe_width.h"
+
 namespace lacquer::reference {
 
 double sum(const Energy& energy) {
     return energy.x + energy.y + energy.z + energy.w;
 }
 
-void LobeLight::add(const Energy& more, double more_variance) {
-    const double here = sum(energy), there = sum(more);
+void LobeLight::add(const LobeLight& more) {
+    const double here = sum(energy), there = sum(more.energy);
     if (there <= 0.0) return;
-    // Variances of wide lobes have no bound, but their widths on the disk do, and these are what
-    // averages: alpha^1.1, about in proportion to the square of that width.
-    const double width =
-        (variance / (1.0 + variance) * here + more_variance / (1.0 + more_variance) * there) /
-        (here + there);
-    variance = width / (1.0 - width);
-    energy += more;
+    width = (width * here + more.width * there) / (here + there);
+    energy += more.energy;
+}
+
+void LobeLight::reflect(double alpha) {
+    width = width_of_variance(variance_of_width(width) + variance_of_width(width_of_alpha(alpha)));
 }
 
 Energy Beam::energy() const {
-    Energy all{0.0};
-    for (const LobeLight& lobe : lobes) all += lobe.energy;
-    return all;
+    return through.energy + interfaces.energy + base.energy;
 }
 
-LobeShape Beam::shape() const {
-    LobeLight all;
-    for (const LobeLight& lobe : lobes) all.add(lobe.energy, lobe.variance);
-    return {sine, all.variance};
+double Beam::alpha() const {
+    LobeLight all = through;
+    all.add(interfaces);
+    all.add(base);
+    return alpha_of_width(all.width);
 }
 
 void Beam::add(const Beam& more) {
     const double here = sum(energy()), there = sum(more.energy());
     if (there <= 0.0) return;
-    sine = (sine * here + more.sine * there) / (here + there);
-    for (std::size_t n = 0; n < lobes.size(); ++n)
-        lobes[n].add(more.lobes[n].energy, more.lobes[n].variance);
+    cosine = (cosine * here + more.cosine * there) / (here + there);
+    through.add(more.through);
+    interfaces.add(more.interfaces);
+    base.add(more.base);
+}
+
+void Beam::scale(const Energy& factor) {
+    for_each_lobe([&](LobeLight& lobe) { lobe.energy *= factor; });
 }
 
 }  // namespace lacquer::reference

@@ -1,11 +1,7 @@
 // Light that travels one way through one medium of a stack, as lobes that share a mean direction.
 #pragma once
 
-#include <cstddef>
 #include <glm/vec4.hpp>
-#include <vector>
-
-#include "reference/stack/lobe_shape.h"
 
 namespace lacquer::reference {
 
@@ -14,29 +10,42 @@ using Energy = glm::dvec4;
 
 double sum(const Energy& energy);
 
-// The light whose deepest reflection was at one interface or at the base.
+// Light of one origin.
 struct LobeLight {
     Energy energy{0.0};
-    double variance = 0.0;  // see LobeShape
+    double width = 0.0;  // see lobe_width.h
 
     // Adds light; the width of all is averaged by energy.
-    void add(const Energy& more, double more_variance);
+    void add(const LobeLight& more);
+
+    // Facets of roughness `alpha` reflect it. Belcour 2018, Eqs. 8 and 9.
+    void reflect(double alpha);
 };
 
+// By what the light has met so far: nothing that reflects, interfaces below the top one at most, or
+// the base.
 struct Beam {
-    double sine = 0.0;             // of the mean direction
-    bool diffuse = false;          // comes from everywhere alike, whatever its lobes say
-    std::vector<LobeLight> lobes;  // from the top interface's to the base's
-
-    explicit Beam(std::size_t lobe_count) : lobes(lobe_count) {}
+    double cosine = 1.0;  // of the mean direction
+    LobeLight through, interfaces, base;
 
     Energy energy() const;
 
-    // Of all lobes as one.
-    LobeShape shape() const;
+    // Of all light as one lobe: its roughness.
+    double alpha() const;
 
     // Adds light, whose mean is averaged by energy.
     void add(const Beam& more);
+
+    // Every lobe's energy times a factor.
+    void scale(const Energy& factor);
+
+    // Applies `change` to all lobes.
+    template <typename Change>
+    void for_each_lobe(const Change& change) {
+        change(through);
+        change(interfaces);
+        change(base);
+    }
 };
 
 }  // namespace lacquer::reference

@@ -9,21 +9,36 @@
 // Interfaces, Eq. 3
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 
 #include "reference/stack/layers.h"
 
 namespace lacquer::reference {
 
+// T as a function of direction: what the top interface lets in, of which a polynomial of the cosine
+// arrives at the base. A light then costs no transport.
+struct ArrivingLight {
+    static constexpr std::size_t kKnown = 4;
+    StackInterface top;
+    std::array<Energy, kKnown> known{};  // of what has entered, at the zeros of T_4(2 c - 1)
+
+    // At `cosine` in [0, 1].
+    Energy at(double cosine) const;
+
+    // Over the hemisphere, weighted by the cosine.
+    Energy average() const;
+};
+
+ArrivingLight fit_arriving(const StackLayers& layers);
+
 struct DiffuseBase {
+    ArrivingLight arriving;
     glm::dvec3 spread;    // rho / (pi n^2 (1 - rho R_bar))
     glm::dvec3 returned;  // of the light that has arrived, what leaves the stack
 };
 
 // `albedo` of the base in [0, 1].
 DiffuseBase prepare_diffuse_base(const StackLayers& layers, const glm::dvec3& albedo);
-
-// T(w) at cos_theta in (0, 1].
-glm::dvec3 arriving(const StackLayers& layers, double cos_theta);
 
 }  // namespace lacquer::reference

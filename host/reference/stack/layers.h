@@ -1,5 +1,5 @@
-// What a stack is made of, as light meets it: rough dielectric interfaces, absorbing media between
-// them, and at the bottom a conductor or whatever takes the light that arrives there.
+// What a stack is made of, as light meets it: rough dielectric interfaces, media between them, and
+// at the bottom a conductor or whatever takes the light that arrives there.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 
 #include "lacquer/material.h"
 #include "reference/stack/beam.h"
+#include "reference/stack/scattering.h"
 #include "tables/energy_tables.h"
 
 namespace lacquer::reference {
@@ -16,30 +17,45 @@ namespace lacquer::reference {
 struct StackInterface {
     double alpha;                 // GGX roughness of its energies (equivalent_alpha.h)
     double ior_above, ior_below;  // absolute
-    TransmissionProfile from_above, from_below;
+    DirectionPolynomial from_above, from_below;
 
-    // The shares of light at cos_theta in [0, 1] that cross it, all orders of scattering.
-    double t_down(double cos_theta) const;
-    double t_up(double cos_theta) const;
+    // The index of the medium that light enters over that of its own.
+    double eta(bool downwards) const;
+
+    // The share of light at `cosine` in [0, 1] that crosses it, all orders of scattering.
+    double transmittance(double cosine, bool downwards) const;
+};
+
+struct StackMedium {
+    Energy absorption{0.0};  // optical depth along the normal
+    // Of a medium that scatters: red, green, blue, and without absorption.
+    std::optional<std::array<ScatteringSlab, 4>> slabs{};
+
+    // What one that only absorbs lets through at `cosine`.
+    Energy transmittance(double cosine) const;
 };
 
 struct StackConductor {
     double alpha;
     std::array<std::complex<double>, 3> eta;  // relative to the medium above it
+    std::array<DirectionPolynomial, 3> fgd;
+
+    // What it reflects of light at `cosine`, all orders of scattering, for a lobe about `mean`: of
+    // a smooth one the polynomials know the differences between directions better than the values.
+    Energy albedo(double cosine, double mean) const;
 };
 
 struct StackLayers {
     std::vector<StackInterface> interfaces;  // from the top
-    std::vector<Energy> tau;                 // of the medium below each
+    std::vector<StackMedium> media;          // below each
     std::optional<StackConductor> conductor;
     const EnergyTables* tables;
 
-    // What the conductor reflects of light at cos_theta in [0, 1], all orders of scattering.
-    Energy conductor_albedo(double cos_theta) const;
+    std::size_t count() const { return interfaces.size(); }
 };
 
 // `tables` must outlive the result. Throws Error naming the JSON pointer of what a stack cannot be
-// made of: no interface, a blended microsurface, a scattering medium, diffuse facets.
+// made of: no interface, a blended microsurface, diffuse facets.
 StackLayers prepare_layers(const Material& material, const EnergyTables& tables);
 
 }  // namespace lacquer::reference

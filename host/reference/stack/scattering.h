@@ -63,7 +63,8 @@ SlabLobe scattered_lobe(const ScatteringSlab& slab, double cos_theta, const Slab
 SlabLobe back_lobe(const ScatteringSlab& slab, double cos_theta);
 
 // Roughness, in (0, 0.95], of the GGX lobe about the mirror direction of light at cos_theta in
-// [0.05, 1] that is as wide: variance_of_alpha of that adds to a beam's variance (lobe_shape.h).
+// [0.05, 1] that is as wide: width_of_alpha of that is the width that adds to a
+// beam's (lobe_width.h).
 // Measured behind lobes of alpha up to 0.3: widths within 0.08.
 double alpha_of_spread(double spread, double cos_theta);
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "reference/reflection.h"
+#include "reference/stack/lobe_width.h"
 
 namespace lacquer::reference {
 
@@ -37,12 +38,21 @@ std::vector<double> choices(const StackView& seen) {
     return energies;
 }
 
+// How often a direction of the top interface is one that a facet mirrors.
+double once_choice(const StackView& seen) {
+    if (seen.top <= 0.0) return 1.0;
+    const double multiple = std::clamp(seen.surface->top.multiple.at(seen.wo.z), 0.0, 1.0);
+    return std::max(1.0 - multiple / seen.top, kMinChoice);
+}
+
 glm::dvec3 direction_from(const StackView& seen, const glm::dvec3& u) {
     const std::vector<double>& choice = seen.choice;
     const glm::dvec2 point{u.y, u.z};
     double left = u.x;
     if (left < choice.front())
-        return coat_sample(seen.surface->top, seen.wo, left / choice.front(), point);
+        return left < choice.front() * once_choice(seen)
+                   ? reflection_sample(seen.surface->top.facets, seen.wo, point)
+                   : sample_cosine(point);
     left -= choice.front();
     for (std::size_t n = 0; n < seen.lobes.size(); ++n) {
         if (left < choice[n + 1])
@@ -65,15 +75,24 @@ StackSurface prepare_stack(const Material& material, const EnergyTables& tables)
     return {std::move(layers), top, diffuse};
 }
 
+namespace {
+
+StackLobe lobe_of(const LobeLight& light, double cosine, const EnergyTables& tables) {
+    const double alpha = std::clamp(alpha_of_width(light.width), kMinAlpha, 1.0);
+    return {glm::dvec3{light.energy}, alpha, tables.lobe(cosine, alpha).single};
+}
+
+}  // namespace
+
 StackView view(const StackSurface& surface, const glm::dvec3& wo) {
-    const StackLight light = light_from_above(surface.layers, wo.z);
-    StackView seen{&surface, wo, light.lobes.front().energy.w, {}, glm::dvec3{light.down}, {}};
+    const double cosine = std::min(wo.z, 1.0);
     const EnergyTables& tables = *surface.layers.tables;
-    for (std::size_t n = 1; n < light.lobes.size(); ++n) {
-        const double alpha = std::max(alpha_of_variance(light.lobes[n].variance), kMinAlpha);
-        seen.lobes.push_back({glm::dvec3{light.lobes[n].energy}, alpha,
-                              tables.mirror_single(std::min(wo.z, 1.0), alpha)});
-    }
+    const StackLight light = light_from_above(surface.layers, cosine);
+    StackView seen{&surface, wo, light.top, {}, glm::dvec3{0.0}, {}};
+    if (sum(light.interfaces.energy) > 0.0)
+        seen.lobes.push_back(lobe_of(light.interfaces, cosine, tables));
+    if (surface.layers.conductor) seen.lobes.push_back(lobe_of(light.base, cosine, tables));
+    if (surface.diffuse) seen.arriving = glm::dvec3{surface.diffuse->arriving.at(cosine)};
     seen.choice = choices(seen);
     return seen;
 }
@@ -83,16 +102,20 @@ glm::dvec3 eval(const StackView& seen, const glm::dvec3& wi) {
     for (const StackLobe& lobe : seen.lobes)
         f += lobe.energy / lobe.mirrored * reflection_lobe(facets_of(lobe), wi, seen.wo);
     if (seen.surface->diffuse)
-        f += seen.arriving * arriving(seen.surface->layers, wi.z) * seen.surface->diffuse->spread;
+        f += seen.arriving * glm::dvec3{seen.surface->diffuse->arriving.at(std::min(wi.z, 1.0))} *
+             seen.surface->diffuse->spread;
     return f;
 }
 
 double pdf(const StackView& seen, const glm::dvec3& wi) {
     const std::vector<double>& choice = seen.choice;
-    double density = choice.front() * coat_pdf(seen.surface->top, wi, seen.wo);
+    const double once = once_choice(seen), diffuse = wi.z / pi;
+    double density =
+        choice.front() *
+        (once * reflection_pdf(seen.surface->top.facets, wi, seen.wo) + (1.0 - once) * diffuse);
     for (std::size_t n = 0; n < seen.lobes.size(); ++n)
         density += choice[n + 1] * reflection_pdf(facets_of(seen.lobes[n]), wi, seen.wo);
-    return density + choice.back() * wi.z / pi;
+    return density + choice.back() * diffuse;
 }
 
 Sample sample(const StackView& seen, const glm::dvec3& u) {
@@ -122,8 +145,9 @@ Albedo albedo(const StackSurface& surface, const glm::dvec3& wo) {
     if (!is_above(wo)) return {};
     const StackView seen = view(surface, wo);
     Albedo all{glm::dvec3{seen.top}, diffuse_albedo(seen)};
-    for (std::size_t n = 0; n + 1 < seen.lobes.size(); ++n) all.direct += seen.lobes[n].energy;
-    if (!seen.lobes.empty() && surface.layers.conductor) all.base += seen.lobes.back().energy;
+    const bool conducts = surface.layers.conductor.has_value();
+    for (std::size_t n = 0; n < seen.lobes.size(); ++n)
+        (conducts && n + 1 == seen.lobes.size() ? all.base : all.direct) += seen.lobes[n].energy;
     return all;
 }
 

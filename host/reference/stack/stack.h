@@ -44,7 +44,7 @@ struct StackView {
     StackSurface const* surface;
     glm::dvec3 wo;
     double top;                    // what the top interface reflects
-    std::vector<StackLobe> lobes;  // below the top one: interfaces, then a conductor
+    std::vector<StackLobe> lobes;  // of the interfaces below it, if any, and of a conductor
     glm::dvec3 arriving;           // T(wo)
     std::vector<double> choice;    // probabilities of the top interface, the lobes, a diffuse base
 };

@@ -1,263 +1,347 @@
 #include "reference/stack/transport.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
-#include "reference/stack/lobe_cosines.h"
+#include "reference/shading.h"
+#include "reference/stack/adding.h"
+#include "reference/stack/directions.h"
+#include "reference/stack/facet_effect.h"
+#include "reference/stack/lobe_width.h"
 
 namespace lacquer::reference {
 
 namespace {
 
 // Passes down to the base and up again that are followed one by one.
-constexpr int kPasses = 64;
-// Of the light that came, what is left to the geometric series.
-constexpr double kLeft = 1e-3;
+constexpr int kPasses = 2;
+constexpr double kTiny = 1e-12;  // keeps quotients of nothing finite
 
-// Of a Lambertian lobe, per axis of the projected disk.
-constexpr double kDiffuseVariance = 0.25;
+using Cosines = decltype(LobeNodes::cosines);
+constexpr double kNodes = std::tuple_size_v<Cosines>;
 
-constexpr double kTiny = 1e-30;  // keeps quotients of nothing finite
+// Part of the light of a beam: how much, relative to all that set out, and how its mean cosine
+// differs from that of all.
+class Part {
+ public:
+    void add(const Energy& share, const Energy& beam, double cosine) {
+        share_ += share / kNodes;
+        const double light = glm::dot(share, beam);
+        light_ += light;
+        cosine_ += light * cosine;
+    }
 
-LobeCosines cosines_of(const Beam& beam) {
-    return beam.diffuse ? diffuse_cosines() : lobe_cosines(beam.shape());
-}
+    const Energy& share() const { return share_; }
 
-// What of a lobe becomes of part of its light: how much it is, and how its mean cosine and its
-// spread differ from the lobe's.
-struct Share {
-    double light = 0.0;
-    double tilt = 0.0, narrowing = 1.0;
+    Beam of(const Beam& beam, double mean_of_all) const {
+        Beam part = beam;
+        part.scale(share_);
+        if (light_ <= kTiny) return part;
+        part.cosine = std::clamp(beam.cosine + cosine_ / light_ - mean_of_all,
+                                 std::min(beam.cosine, kLeastCosine), 1.0);
+        return part;
+    }
+
+ private:
+    Energy share_{0.0};
+    double light_ = 0.0, cosine_ = 0.0;
 };
 
-Share share_of(const LobeCosines& lobe, const LobePart& all, const LobePart& part) {
-    Share share{part.light(), 0.0, 1.0};
-    if (lobe.count < 2 || part.light() <= kTiny) return share;
-    share.tilt = part.mean_cosine() - all.mean_cosine();
-    share.narrowing = std::min(part.spread() / std::max(all.spread(), kTiny), 1.0);
-    return share;
+double mean_of(const Cosines& cosines) {
+    double sum = 0.0;
+    for (const double cosine : cosines) sum += cosine;
+    return sum / kNodes;
 }
 
-// That part of a beam, each lobe of it narrower.
-Beam part_of(const Beam& beam, const Share& share) {
-    Beam part = beam;
-    part.diffuse = false;
-    part.sine = tilted(beam.shape(), share.tilt).sine;
-    for (LobeLight& lobe : part.lobes) {
-        lobe.energy *= share.light;
-        lobe.variance = narrowed(lobe.variance, share.narrowing);
-    }
-    return part;
+// The sine of the refracted mean, of a part of light that is more or less oblique than the beam
+// whose mean is refracted to `refracted_sine`.
+double sine_of_part(double refracted_sine, const Beam& part, const Beam& beam, double eta) {
+    const double step = direction_of(part.cosine).x - direction_of(beam.cosine).x;
+    return std::clamp(refracted_sine + step / eta, 0.0, kMostSine);
 }
 
-// The beam times a factor per colour that depends on direction.
-template <typename Factor>
-Beam attenuated(const Beam& beam, const Factor& factor) {
-    const LobeCosines directions = cosines_of(beam);
-    const Energy before = beam.energy();
-    Energy average{0.0};
-    LobePart all, left;
-    for (std::size_t n = 0; n < directions.count; ++n) {
-        const Energy passing = factor(directions.cosines[n]);
-        average += directions.weights[n] * passing;
-        all.add(directions, n, 1.0);
-        left.add(directions, n, glm::dot(passing, before));
-    }
-    Share share = share_of(directions, all, left);
-    share.light = 1.0;
-    Beam result = part_of(beam, share);
-    for (LobeLight& lobe : result.lobes) lobe.energy *= average;
-    return result;
-}
-
-// What a medium lets through at an angle.
-struct Crossing {
-    Energy tau;
-    Energy operator()(double cosine) const {
-        return glm::pow(tau, Energy{1.0 / std::max(cosine, 1e-3)});
-    }
+// What light meets on its way: an interface, or a medium that scatters; after crossing what only
+// absorbs.
+struct Level {
+    const StackInterface* interface = nullptr;
+    const StackMedium* slab = nullptr;
+    const StackMedium* above = nullptr;  // absorbs; null where nothing does
+    const StackMedium* below = nullptr;
 };
+
+std::vector<Level> levels_of(const StackLayers& layers) {
+    std::vector<Level> levels;
+    const StackMedium* above = nullptr;
+    for (std::size_t n = 0; n < layers.count(); ++n) {
+        const StackMedium& medium = layers.media[n];
+        const StackMedium* below = medium.slabs ? nullptr : &medium;
+        levels.push_back({&layers.interfaces[n], nullptr, above, below});
+        if (medium.slabs) levels.push_back({nullptr, &medium, nullptr, nullptr});
+        above = below;
+    }
+    return levels;
+}
 
 class Transport {
  public:
     explicit Transport(const StackLayers& layers)
         : layers_{layers},
-          lobe_count_{layers.interfaces.size() + 1},
-          down_(lobe_count_, Beam{lobe_count_}),
-          up_(lobe_count_, Beam{lobe_count_}) {
-        light_.lobes.resize(lobe_count_);
-    }
+          levels_{levels_of(layers)},
+          count_{levels_.size()},
+          down_(count_ + 1),
+          up_(count_ + 1),
+          shares_(count_) {}
 
-    void start_above(double cos_theta) {
-        down_.front().sine = std::sqrt(1.0 - cos_theta * cos_theta);
-        down_.front().lobes.front().energy = Energy{1.0};
-    }
-
-    // Returns what comes back from the lowest interface alone.
-    Energy start_below() {
-        Beam diffuse{lobe_count_};
-        diffuse.diffuse = true;
-        const double alpha = layers_.tables->equivalent_alpha(kDiffuseVariance);
-        diffuse.lobes.back() = {Energy{1.0}, variance_of_alpha(alpha)};
-        up_.back() = diffuse;
-        up_.back().lobes.back().energy = attenuated(diffuse, crossing(lobe_count_ - 1)).energy();
-        meet_from_below(layers_.interfaces.size() - 1);
-        const Energy first = down_.back().energy();
-        for (std::size_t n = layers_.interfaces.size() - 1; n-- > 0;) meet_from_below(n);
-        return first;
-    }
-
-    StackLight run() {
-        StackLight before = light_;
-        Energy left{0.0}, now = moving();
-        for (int pass = 0; pass < kPasses && sum(now) > kLeft; ++pass) {
-            before = light_;
-            left = now;
+    StackLight run(double cosine) {
+        down_[0].cosine = cosine;
+        down_[0].through.energy = Energy{1.0};
+        meet_interface(0, true);
+        light_.top = light_.interfaces.energy.w;
+        light_.interfaces = {};
+        for (int pass = 0; pass < kPasses; ++pass) {
             pass_down();
             pass_up();
-            now = moving();
         }
-        add_rest(before, now / glm::max(left, now + kTiny));
+        add_rest();
         return light_;
     }
 
+    // As if all light entered.
+    Energy run_entered(double cosine) {
+        down_[0].cosine = cosine;
+        down_[0].through.energy = Energy{1.0};
+        all_enters_ = true;
+        meet_interface(0, true);
+        for (int pass = 0; pass < kPasses; ++pass) {
+            pass_down();
+            pass_up();
+        }
+        add_rest();
+        return light_.arrived.energy();
+    }
+
+    Energy run_from_below() {
+        Beam& diffuse = up_[count_];
+        diffuse.cosine = kDiffuseCosine;
+        diffuse.through = {Energy{1.0}, 1.0};
+        pass_up();
+        pass_down();
+        return add_up(shares_, base_share_, false).returning;
+    }
+
  private:
-    // What travels between passes.
-    Energy moving() const {
-        Energy all{0.0};
-        for (const Beam& beam : down_) all += beam.energy();
-        return all;
-    }
-
-    // Every further pass adds `ratio` of what the one before added, of which `before` is the state.
-    void add_rest(const StackLight& before, const Energy& ratio) {
-        const Energy factor = ratio / (Energy{1.0} - glm::min(ratio, Energy{0.999}));
-        for (std::size_t n = 0; n < lobe_count_; ++n)
-            light_.lobes[n].energy += factor * (light_.lobes[n].energy - before.lobes[n].energy);
-        light_.down += factor * (light_.down - before.down);
-    }
-
-    // What medium `medium`, of which 0 is the exterior, lets through.
-    Crossing crossing(std::size_t medium) const { return {layers_.tau[medium - 1]}; }
-
-    void send(Beam& to, std::size_t medium, const Beam& beam) {
-        to.add(attenuated(beam, crossing(medium)));
-    }
+    // Of a lobe of roughness 1 about the normal, which is the widest there is.
+    static constexpr double kDiffuseCosine = 1.0;
 
     void pass_down() {
-        for (std::size_t n = 0; n < layers_.interfaces.size(); ++n) meet_from_above(n);
-        Beam arrived{lobe_count_};
-        std::swap(arrived, down_.back());
-        if (!layers_.conductor) {
-            light_.down += arrived.energy();
-            return;
-        }
-        Beam returned =
-            attenuated(arrived, [&](double cosine) { return layers_.conductor_albedo(cosine); });
-        deepen(returned, lobe_count_ - 1, reflection_variance(layers_.conductor->alpha));
-        send(up_.back(), lobe_count_ - 1, returned);
+        for (std::size_t n = 1; n < count_; ++n) meet(n, true);
+        meet_bottom();
     }
 
     void pass_up() {
-        for (std::size_t n = layers_.interfaces.size(); n-- > 0;) meet_from_below(n);
+        for (std::size_t n = count_; n-- > 0;) meet(n, false);
     }
 
-    // Light reflected at interface or base `level` belongs to its lobe from now on, unless it has
-    // been deeper.
-    void deepen(Beam& beam, std::size_t level, double added_variance) const {
-        for (LobeLight& lobe : beam.lobes) lobe.variance += added_variance;
-        for (std::size_t n = 0; n < level; ++n) {
-            beam.lobes[level].add(beam.lobes[n].energy, beam.lobes[n].variance);
-            beam.lobes[n] = {};
+    // The light about to leave a medium, which is taken from there.
+    static Beam take(Beam& from) {
+        Beam beam;
+        std::swap(beam, from);
+        return beam;
+    }
+
+    static Energy crossing(const StackMedium* medium, double cosine) {
+        return medium ? medium->transmittance(cosine) : Energy{1.0};
+    }
+
+    void meet(std::size_t n, bool downwards) {
+        if (levels_[n].slab)
+            meet_slab(n, downwards);
+        else
+            meet_interface(n, downwards);
+    }
+
+    Beam take_arriving(std::size_t n, bool downwards) {
+        return take(downwards ? down_[n] : up_[n + 1]);
+    }
+
+    void meet_interface(std::size_t n, bool downwards) {
+        const Beam beam = take_arriving(n, downwards);
+        const Energy light = beam.energy();
+        if (sum(light) <= 0.0) return;
+        const StackInterface& interface = *levels_[n].interface;
+        const StackMedium* medium = downwards ? levels_[n].above : levels_[n].below;
+        const Cosines cosines = layers_.tables->lobe(beam.cosine, beam.alpha()).cosines;
+        Part reflected, refracted;
+        for (const double cosine : cosines) {
+            const Energy arriving = crossing(medium, cosine);
+            const double share = interface.transmittance(cosine, downwards);
+            refracted.add(arriving * share, light, cosine);
+            reflected.add(arriving * (1.0 - share), light, cosine);
+        }
+        remember(n, downwards, reflected.share(), refracted.share());
+
+        const double eta = interface.eta(downwards);
+        const FacetEffect facets = facet_effect(beam.cosine, interface.alpha, eta);
+        const double mean = mean_of(cosines);
+        const Beam kept = mirrored(reflected.of(beam, mean), interface.alpha, facets);
+        Beam passed = bent(refracted.of(beam, mean), beam, interface.alpha, eta, facets);
+        if (all_enters_ && n == 0 && downwards) passed.through.energy = Energy{1.0};
+        send_on(n, downwards, kept, passed);
+    }
+
+    void meet_slab(std::size_t n, bool downwards) {
+        const Beam beam = take_arriving(n, downwards);
+        if (sum(beam.energy()) <= 0.0) return;
+        const std::array<ScatteringSlab, 4>& slabs = *levels_[n].slab->slabs;
+        const Cosines cosines = layers_.tables->lobe(beam.cosine, beam.alpha()).cosines;
+        Energy back{0.0}, through{0.0};
+        ScatteringSlab average{0.0, 0.0, slabs.back().g};
+        for (int channel = 0; channel < 4; ++channel) {
+            const ScatteringSlab& slab = slabs[static_cast<std::size_t>(channel)];
+            for (const double cosine : cosines) {
+                const SlabLight light = slab_light(slab, cosine);
+                back[channel] += light.back / kNodes;
+                through[channel] += light.transmitted() / kNodes;
+            }
+            average.absorption += 0.25 * slab.absorption;
+            average.scattering += 0.25 * slab.scattering;
+        }
+        remember(n, downwards, back, through);
+        send_on(n, downwards, spread(beam, back, back_lobe(average, beam.cosine)),
+                spread(beam, through, transmitted_lobe(average, beam.cosine)));
+    }
+
+    // A part of a beam that a medium has scattered.
+    static Beam spread(const Beam& beam, const Energy& share, const SlabLobe& lobe) {
+        Beam part = beam;
+        part.scale(share);
+        const double alpha = alpha_of_spread(lobe.spread, beam.cosine);
+        part.for_each_lobe([&](LobeLight& light) { light.reflect(alpha); });
+        const double sine = std::min(direction_of(beam.cosine).x * lobe.sine_ratio, kMostSine);
+        part.cosine = std::sqrt(1.0 - sine * sine);
+        return part;
+    }
+
+    void send_on(std::size_t n, bool downwards, const Beam& kept, const Beam& passed) {
+        if (downwards) {
+            leave_upwards(n, from_below_top(n, kept));
+            down_[n + 1].add(passed);
+        } else {
+            leave_upwards(n, passed);
+            down_[n + 1].add(kept);
         }
     }
 
-    struct Parts {
-        Beam reflected, refracted;
-    };
+    void remember(std::size_t n, bool downwards, const Energy& reflected, const Energy& refracted) {
+        InterfaceShares& at = shares_[n];
+        (downwards ? at.reflected_down : at.reflected_up) = reflected;
+        (downwards ? at.transmitted_down : at.transmitted_up) = refracted;
+    }
 
-    Parts split(const Beam& beam, const StackInterface& interface, bool downwards) const {
-        const auto [from, into] = downwards ? std::pair{interface.ior_above, interface.ior_below}
-                                            : std::pair{interface.ior_below, interface.ior_above};
-        const LobeCosines directions = cosines_of(beam);
-        LobePart all, passing, remaining;
-        for (std::size_t n = 0; n < directions.count; ++n) {
-            const double cosine = directions.cosines[n];
-            const double t = downwards ? interface.t_down(cosine) : interface.t_up(cosine);
-            all.add(directions, n, 1.0);
-            passing.add(directions, n, t);
-            remaining.add(directions, n, 1.0 - t);
+    static Beam mirrored(Beam beam, double alpha, const FacetEffect& facets) {
+        if (alpha < kMinAlpha) return beam;
+        beam.cosine = std::clamp(beam.cosine + facets.reflected_tilt, kLeastCosine, 1.0);
+        beam.for_each_lobe([&](LobeLight& lobe) { lobe.reflect(alpha * facets.reflected_width); });
+        return beam;
+    }
+
+    static Beam bent(Beam part, const Beam& beam, double alpha, double eta,
+                     const FacetEffect& facets) {
+        const double sine = sine_of_part(facets.refracted_sine, part, beam, eta);
+        const double cosine = std::sqrt(1.0 - sine * sine);
+        const RefractedRoughness rough = refracted_roughness(part.cosine, cosine, alpha, eta);
+        const double widening = width_of_alpha(rough.scale);
+        const double added = variance_of_width(width_of_alpha(rough.added));
+        part.for_each_lobe([&](LobeLight& lobe) {
+            lobe.width = width_of_variance(widening * variance_of_width(lobe.width) + added);
+        });
+        part.cosine = cosine;
+        return part;
+    }
+
+    // What is reflected below the top interface has met an interface.
+    static Beam from_below_top(std::size_t n, Beam beam) {
+        if (n == 0) return beam;
+        beam.interfaces.add(beam.through);
+        beam.through = {};
+        return beam;
+    }
+
+    // Light that goes up from interface n into the medium above it.
+    void leave_upwards(std::size_t n, const Beam& beam) {
+        if (n > 0) {
+            up_[n].add(beam);
+            return;
         }
-        Parts parts{part_of(beam, share_of(directions, all, remaining)),
-                    part_of(beam, share_of(directions, all, passing))};
-        const LobeShape kept = parts.reflected.shape();
-        parts.reflected.sine =
-            tilted(kept, reflection_tilt(kept, interface.alpha, into / from)).sine;
-        const Refraction bent = refraction(parts.refracted.shape(), interface.alpha, from / into);
-        parts.refracted.sine = bent.sine;
-        for (LobeLight& lobe : parts.refracted.lobes) lobe.variance = bent.variance(lobe.variance);
-        return parts;
+        light_.interfaces.add(beam.through);
+        light_.interfaces.add(beam.interfaces);
+        light_.base.add(beam.base);
     }
 
-    void meet_from_above(std::size_t n) {
-        Beam beam{lobe_count_};
-        std::swap(beam, down_[n]);
-        if (sum(beam.energy()) <= 0.0) return;
-        const StackInterface& interface = layers_.interfaces[n];
-        Parts parts = split(beam, interface, true);
-        deepen(parts.reflected, n, reflection_variance(interface.alpha));
-        if (n == 0)
-            leave(parts.reflected);
-        else
-            send(up_[n], n, parts.reflected);
-        send(down_[n + 1], n + 1, parts.refracted);
+    void meet_bottom() {
+        const Beam beam = take(down_[count_]);
+        const Energy light = beam.energy();
+        if (sum(light) <= 0.0) return;
+        const Cosines cosines = layers_.tables->lobe(beam.cosine, beam.alpha()).cosines;
+        Part remaining;
+        for (const double cosine : cosines) {
+            Energy share = crossing(levels_.back().below, cosine);
+            if (layers_.conductor) share *= layers_.conductor->albedo(cosine, beam.cosine);
+            remaining.add(share, light, cosine);
+        }
+        base_share_ = remaining.share();
+        Beam left = remaining.of(beam, mean_of(cosines));
+        if (!layers_.conductor) {
+            light_.arrived.add(left);
+            return;
+        }
+        if (layers_.conductor->alpha >= kMinAlpha)
+            left.for_each_lobe([&](LobeLight& lobe) { lobe.reflect(layers_.conductor->alpha); });
+        left.base.add(left.interfaces);
+        left.base.add(left.through);
+        left.through = left.interfaces = {};
+        up_[count_].add(left);
     }
 
-    void meet_from_below(std::size_t n) {
-        Beam beam{lobe_count_};
-        std::swap(beam, up_[n + 1]);
-        if (sum(beam.energy()) <= 0.0) return;
-        const StackInterface& interface = layers_.interfaces[n];
-        Parts parts = split(beam, interface, false);
-        if (n == 0)
-            leave(parts.refracted);
-        else
-            send(up_[n], n, parts.refracted);
-        deepen(parts.reflected, 0, reflection_variance(interface.alpha));
-        send(down_[n + 1], n + 1, parts.reflected);
-    }
-
-    void leave(const Beam& beam) {
-        for (std::size_t n = 0; n < lobe_count_; ++n)
-            light_.lobes[n].add(beam.lobes[n].energy, beam.lobes[n].variance);
+    // What is still on its way down, all at once: it leaves as wide as what has left before.
+    void add_rest() {
+        const bool conducts = layers_.conductor.has_value();
+        const StackShares rest = add_up(shares_, base_share_, conducts);
+        for (std::size_t n = 1; n <= count_; ++n) {
+            const Beam& beam = down_[n];
+            const Energy shallow = beam.through.energy + beam.interfaces.energy;
+            const bool meets_base = conducts && n == count_;
+            light_.base.energy +=
+                rest.escaping[n] * (beam.base.energy + (meets_base ? shallow : Energy{0.0}));
+            if (!meets_base) light_.interfaces.energy += rest.escaping[n] * shallow;
+            light_.arrived.through.energy += rest.arriving[n] * beam.energy();
+        }
     }
 
     const StackLayers& layers_;
-    std::size_t lobe_count_;
-    std::vector<Beam> down_, up_;  // about to leave each medium, of which 0 is the exterior
+    std::vector<Level> levels_;
+    std::size_t count_;
+    std::vector<Beam> down_, up_;  // on their way to level n, or up from it, and to the bottom
+    std::vector<InterfaceShares> shares_;
+    Energy base_share_{0.0};
+    bool all_enters_ = false;
     StackLight light_;
 };
 
 }  // namespace
 
-StackLight light_from_above(const StackLayers& layers, double cos_theta) {
-    Transport transport{layers};
-    transport.start_above(cos_theta);
-    return transport.run();
+StackLight light_from_above(const StackLayers& layers, double cosine) {
+    return Transport{layers}.run(cosine);
+}
+
+Energy arriving_of_entered(const StackLayers& layers, double cosine) {
+    return Transport{layers}.run_entered(cosine);
 }
 
 Energy diffuse_return(const StackLayers& layers) {
-    Transport transport{layers};
-    const Energy first = transport.start_below();
-    // The tables know that part better.
-    const StackInterface& lowest = layers.interfaces.back();
-    Energy known;
-    for (int channel = 0; channel < 4; ++channel)
-        known[channel] = layers.tables->r_up(lowest.alpha, lowest.ior_below / lowest.ior_above,
-                                             layers.tau.back()[channel]);
-    return glm::max(transport.run().down - first + known, Energy{0.0});
+    return Transport{layers}.run_from_below();
 }
 
 }  // namespace lacquer::reference

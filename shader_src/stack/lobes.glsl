@@ -1,0 +1,149 @@
+// The lobes of a stack as one viewer sees it: of the top interface, of the interfaces below it, of
+// a conductor, and of a Lambertian base.
+#ifndef LQ_STACK_LOBES_GLSL
+#define LQ_STACK_LOBES_GLSL
+
+#include "../core/sampling.glsl"
+#include "../core/shading.glsl"
+#include "../fresnel/dielectric.glsl"
+#include "../microfacet/reflection.glsl"
+#include "prepare.glsl"
+
+// A GGX lobe about the mirror direction: its light, what of single reflections is that light's
+// share, and its roughness. Belcour 2018, Eq. 39.
+struct LqStackLobe {
+    vec3 energy;
+    float scale;
+    float alpha;
+};
+
+// `top` is what the top interface reflects of light from everywhere, `multiple` the part of it that
+// has met more than one facet; `arriving` T of a Lambertian base.
+struct LqStackView {
+    vec3 wo;
+    float top;
+    float multiple;
+    LqStackLobe interfaces;
+    LqStackLobe base;
+    vec3 arriving;
+};
+
+LqFacets lq_lobe_facets(const LqStackLobe lobe) {
+    return LqFacets(LQ_NDF_GGX, lobe.alpha, lobe.alpha);
+}
+
+LqStackLobe lq_stack_lobe_of(const vec4 energy, const float width, const float cosine) {
+    const float alpha = clamp(lq_safe_sqrt(width), LQ_MIN_ALPHA, 1.0);
+    const float single = max(lq_stack_single(cosine, alpha), 0.01);
+    return LqStackLobe(vec3(energy.x, energy.y, energy.z), 1.0 / single, alpha);
+}
+
+// Light reflected by the top interface after more than one facet.
+float lq_stack_top_multiple(const LqStackSurface surface, const float cos_theta) {
+    return clamp(lq_direction_value(surface.multiple, surface.top_critical, cos_theta), 0.0, 1.0);
+}
+
+// For any number of lights; `wo` above the surface.
+LqStackView lq_stack_view(const LqStackSurface surface, const vec3 wo) {
+    const float cosine = clamp(wo.z, 0.0, 1.0);
+    const LqStackLight light = lq_stack_light(surface, LQ_LIGHT_FROM_ABOVE, cosine);
+    vec3 arriving = vec3(0.0);
+    if (surface.base == LQ_STACK_BASE_LAMBERTIAN) {
+        const vec4 light_in = lq_stack_arriving(surface, cosine);
+        arriving = vec3(light_in.x, light_in.y, light_in.z);
+    }
+    return LqStackView(wo, light.top, lq_stack_top_multiple(surface, cosine),
+                       lq_stack_lobe_of(light.interfaces, light.interfaces_width, cosine),
+                       lq_stack_lobe_of(light.base, light.base_width, cosine), arriving);
+}
+
+// f of the top interface.
+float lq_stack_top(const LqStackSurface surface, const LqStackView viewer, const vec3 wi) {
+    const float once = lq_fresnel_dielectric(lq_cos_theta_halfway(wi, viewer.wo), surface.top_eta) *
+                       lq_reflection_lobe(surface.top, wi, viewer.wo);
+    return once + lq_stack_top_multiple(surface, min(wi.z, 1.0)) * viewer.multiple *
+                      surface.multiple_scale;
+}
+
+// f of a lobe.
+vec3 lq_stack_lobe_value(const LqStackLobe lobe, const vec3 wi, const vec3 wo) {
+    return lobe.energy * (lobe.scale * lq_reflection_lobe(lq_lobe_facets(lobe), wi, wo));
+}
+
+// f(wi, wo) of a viewer, wi and wo above the surface.
+vec3 lq_stack_value(const LqStackSurface surface, const LqStackView viewer, const vec3 wi) {
+    vec3 f = vec3(lq_stack_top(surface, viewer, wi)) +
+             lq_stack_lobe_value(viewer.interfaces, wi, viewer.wo) +
+             lq_stack_lobe_value(viewer.base, wi, viewer.wo);
+    if (surface.base == LQ_STACK_BASE_LAMBERTIAN) {
+        const vec4 arriving = lq_stack_arriving(surface, min(wi.z, 1.0));
+        f += viewer.arriving * vec3(arriving.x, arriving.y, arriving.z) * surface.spread;
+    }
+    return f;
+}
+
+// What is sent to the viewer by way of the base.
+vec3 lq_stack_base_albedo(const LqStackSurface surface, const LqStackView viewer) {
+    return viewer.base.energy + viewer.arriving * surface.returned;
+}
+
+// Probabilities of lobes: of the top interface, of those below, of a conductor, and of a Lambertian
+// base. In proportion to their light, but each that has some at least with LQ_MIN_CHOICE over their
+// number.
+vec4 lq_stack_choices(const LqStackSurface surface, const LqStackView viewer) {
+    const vec4 light = max(vec4(viewer.top, lq_average(viewer.interfaces.energy),
+                                lq_average(viewer.base.energy),
+                                lq_average(viewer.arriving * surface.returned)), vec4(0.0));
+    const vec4 present = vec4(1.0) - step(light, vec4(0.0));
+    const float sum = dot(light, vec4(1.0));
+    if (sum <= 0.0) {
+        return vec4(1.0, 0.0, 0.0, 0.0);
+    }
+    return (1.0 - LQ_MIN_CHOICE) / sum * light +
+           LQ_MIN_CHOICE / dot(present, vec4(1.0)) * present;
+}
+
+// How often a direction of the top interface's lobe is one that a facet mirrors.
+float lq_stack_once_choice(const LqStackView viewer) {
+    if (viewer.top <= 0.0) {
+        return 1.0;
+    }
+    return max(1.0 - viewer.multiple / viewer.top, LQ_MIN_CHOICE);
+}
+
+// Density per solid angle of all lobes together, for directions above the surface. Belcour 2018,
+// Eq. 40.
+float lq_stack_density(const LqStackSurface surface, const LqStackView viewer, const vec3 wi) {
+    const vec4 choices = lq_stack_choices(surface, viewer);
+    const float once = lq_stack_once_choice(viewer);
+    const float diffuse = lq_cosine_hemisphere_pdf(wi.z);
+    const float top =
+        once * lq_reflection_pdf(surface.top, wi, viewer.wo) + (1.0 - once) * diffuse;
+    return choices.x * top +
+           choices.y * lq_reflection_pdf(lq_lobe_facets(viewer.interfaces), wi, viewer.wo) +
+           choices.z * lq_reflection_pdf(lq_lobe_facets(viewer.base), wi, viewer.wo) +
+           choices.w * diffuse;
+}
+
+// May point below the surface. `u` in [0, 1)^3: the first chooses a lobe.
+vec3 lq_stack_direction(const LqStackSurface surface, const LqStackView viewer, const vec3 u) {
+    const vec4 choices = lq_stack_choices(surface, viewer);
+    const vec2 square = vec2(u.y, u.z);
+    LqFacets facets = surface.top;
+    bool is_diffuse = false;
+    if (u.x < choices.x) {
+        is_diffuse = u.x >= choices.x * lq_stack_once_choice(viewer);
+    } else if (u.x < choices.x + choices.y) {
+        facets = lq_lobe_facets(viewer.interfaces);
+    } else if (u.x < choices.x + choices.y + choices.z) {
+        facets = lq_lobe_facets(viewer.base);
+    } else {
+        is_diffuse = true;
+    }
+    if (is_diffuse) {
+        return lq_sample_cosine_hemisphere(square);
+    }
+    return lq_reflection_sample(facets, viewer.wo, square);
+}
+
+#endif

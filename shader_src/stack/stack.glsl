@@ -1,0 +1,84 @@
+// Any stack of rough interfaces and absorbing media over a conductor, a Lambertian base or nothing,
+// with all the light that goes back and forth in it: car paint, frosted and anodised metal, varnish.
+// Based on: Belcour 2018, Efficient Rendering of Layered Materials using an Atomic Decomposition
+//           with Statistical Operators; de Dinechin and Belcour 2022, Rendering Layered Materials
+//           with Diffuse Interfaces
+//
+// Lobes follow from the viewer's direction alone and are not reciprocal (Belcour's forward model),
+// but for the top interface's and a Lambertian base's.
+#ifndef LQ_STACK_STACK_GLSL
+#define LQ_STACK_STACK_GLSL
+
+#include "../core/frame.glsl"
+#include "../core/shading.glsl"
+#include "lobes.glsl"
+
+// f(wi, wo) cos_theta_i for a viewer that `lq_stack_view` knows; 0 unless wi is above the surface.
+vec3 lq_stack_view_eval_cos(const LqStackSurface surface, const LqStackView viewer, const vec3 wi) {
+    if (!lq_is_above(wi)) {
+        return vec3(0.0);
+    }
+    if (!lq_is_above(viewer.wo)) {
+        return vec3(0.0);
+    }
+    return lq_stack_value(surface, viewer, wi) * wi.z;
+}
+
+// f(wi, wo), per steradian; 0 unless both directions are above the surface.
+vec3 lq_stack_eval(const LqStackSurface surface, const vec3 wi, const vec3 wo) {
+    if (!lq_is_above(wi)) {
+        return vec3(0.0);
+    }
+    if (!lq_is_above(wo)) {
+        return vec3(0.0);
+    }
+    return lq_stack_value(surface, lq_stack_view(surface, wo), wi);
+}
+
+// f(wi, wo) cos_theta_i.
+vec3 lq_stack_eval_cos(const LqStackSurface surface, const vec3 wi, const vec3 wo) {
+    return lq_stack_eval(surface, wi, wo) * max(wi.z, 0.0);
+}
+
+// Density per solid angle with which `lq_stack_sample` chooses wi; 0 unless both directions are
+// above the surface.
+float lq_stack_pdf(const LqStackSurface surface, const vec3 wi, const vec3 wo) {
+    if (!lq_is_above(wi)) {
+        return 0.0;
+    }
+    if (!lq_is_above(wo)) {
+        return 0.0;
+    }
+    return lq_stack_density(surface, lq_stack_view(surface, wo), wi);
+}
+
+// Direction of light for a viewer at wo, from three uniform numbers in [0, 1): the first chooses
+// the lobe, the others the direction within it.
+LqSample lq_stack_sample(const LqStackSurface surface, const vec3 wo, const vec3 u) {
+    if (!lq_is_above(wo)) {
+        return LqSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0);
+    }
+    const LqStackView viewer = lq_stack_view(surface, wo);
+    const vec3 wi = lq_stack_direction(surface, viewer, u);
+    if (!lq_is_above(wi)) {
+        return LqSample(wi, vec3(0.0), 0.0);
+    }
+    const float pdf = lq_stack_density(surface, viewer, wi);
+    if (pdf <= 0.0) {
+        return LqSample(wi, vec3(0.0), 0.0);
+    }
+    return LqSample(wi, lq_stack_value(surface, viewer, wi) * (wi.z / pdf), pdf);
+}
+
+// Fraction of light from every direction that is sent to wo: by interfaces alone, and by way of the
+// base.
+LqAlbedo lq_stack_albedo(const LqStackSurface surface, const vec3 wo) {
+    if (!lq_is_above(wo)) {
+        return LqAlbedo(vec3(0.0), vec3(0.0));
+    }
+    const LqStackView viewer = lq_stack_view(surface, wo);
+    return LqAlbedo(vec3(viewer.top) + viewer.interfaces.energy,
+                    lq_stack_base_albedo(surface, viewer));
+}
+
+#endif
