@@ -24,6 +24,7 @@
 #include "coated/coated.glsl"
 #include "openpbr_coat/openpbr_coat.glsl"
 #include "plain/plain.glsl"
+#include "stack/stack.glsl"
 #include "weidlich_wilkie/weidlich_wilkie.glsl"
 
 #endif

@@ -8,9 +8,9 @@
 // light that meets it, and the mean of what goes either way follows from the same average: light
 // that is reflected at the critical angle stays beyond it.
 //
-// One loop serves all that is asked, so that its body is compiled once: light from above, followed
-// for two passes; light that has entered the top medium from there, and diffuse light from the
-// bottom, for one.
+// One loop serves all that is asked, so that its body is compiled once: light from above, light that
+// has entered the top medium from there, and diffuse light from the bottom, which is followed for
+// one pass only.
 #ifndef LQ_STACK_TRANSPORT_GLSL
 #define LQ_STACK_TRANSPORT_GLSL
 
@@ -190,8 +190,7 @@ LqStackLight lq_stack_light(const LqStackSurface prepared, const int kind, const
     LqStackLight light =
         LqStackLight(0.0, vec4(0.0), 0.0, vec4(0.0), 0.0, vec4(0.0), vec4(0.0));
     const int first = is_from_below ? count : -1;
-    const int passes = kind == LQ_LIGHT_FROM_ABOVE ? LQ_STACK_PASSES : 1;
-    const int end = is_from_below ? 3 * count : passes * cycle;
+    const int end = is_from_below ? 3 * count : LQ_STACK_PASSES * cycle;
     for (int turn = first; turn < end; turn++) {
         // On its way down light meets level 0 once, then 1, 2 and so on, then the base; on its
         // way up all levels.
