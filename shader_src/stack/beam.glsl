@@ -60,12 +60,6 @@ LqStackBeam lq_merged(const LqStackBeam a, const LqStackBeam b) {
                        a.interfaces + b.interfaces, a.base + b.base);
 }
 
-// A factor per channel for all lobes.
-LqStackBeam lq_scaled_beam(const LqStackBeam beam, const vec4 factor) {
-    return LqStackBeam(beam.cosine, beam.widths, beam.through * factor, beam.interfaces * factor,
-                       beam.base * factor);
-}
-
 float lq_lobe_variance(const float width) {
     const float most = min(width, LQ_MAX_WIDTH);
     return most / (1.0 - most);

@@ -2,6 +2,7 @@
 #ifndef LQ_STACK_PREPARE_GLSL
 #define LQ_STACK_PREPARE_GLSL
 
+#include "../interface/energies.glsl"
 #include "diffuse_base.glsl"
 
 // Less than this average of light reflected more than once is the noise of the tables.
@@ -26,17 +27,10 @@ float lq_stack_energy_alpha(const vec4 layer, const float eta) {
 
 // The part of the top interface's albedo that has met more than one facet.
 LqDirectionPolynomial lq_stack_multiple(const float alpha, const float eta) {
-    const bool is_thin = eta < 1.0;
     const LqCell cell =
         lq_table_cell(lq_alpha_segment(alpha, LQ_TABLE_ALPHAS), lq_eta_segment(eta, LQ_TABLE_ETAS),
                       LQ_TABLE_ETAS, 1);
-    const LqOctet above =
-        lq_table_read(cell, is_thin ? LQ_MULTIPLE_THIN_ABOVE : LQ_MULTIPLE_DENSE_ABOVE);
-    LqOctet below = above;
-    if (is_thin) {
-        below = lq_table_read(cell, LQ_MULTIPLE_THIN_BELOW);
-    }
-    return LqDirectionPolynomial(below.low, below.high, above.low, above.high);
+    return lq_interface_multiple_function(cell, eta);
 }
 
 // The stack for shading: call it once per shading point. What is out of range is clamped.

@@ -1,5 +1,5 @@
-// Any stack of rough interfaces and absorbing media over a conductor, a Lambertian base or nothing,
-// with all the light that goes back and forth in it: car paint, frosted and anodised metal, varnish.
+// Any stack of rough interfaces and media over a conductor, a Lambertian base or nothing, with all
+// the light that goes back and forth in it: car paint, frosted and anodised metal, varnish.
 // Based on: Belcour 2018, Efficient Rendering of Layered Materials using an Atomic Decomposition
 //           with Statistical Operators; de Dinechin and Belcour 2022, Rendering Layered Materials
 //           with Diffuse Interfaces

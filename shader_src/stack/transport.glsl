@@ -137,9 +137,8 @@ struct LqMetConductor {
 LqMeeting lq_meet_base(const LqStackBeam beam, const vec3 depth, const bool conducts,
                        const LqMetConductor base) {
     const LqStackNodes nodes = lq_stack_nodes(beam.cosine, lq_beam_alpha(beam));
-    const LqNodeValues everything = LqNodeValues(vec4(1.0), vec4(1.0));
     LqCrossedLight left = lq_crossed_light(depth, nodes);
-    LqNodeValues clear = everything;
+    LqNodeValues clear = LqNodeValues(vec4(1.0), vec4(1.0));
     if (conducts) {
         const bool is_smooth = base.alpha < LQ_MIN_ALPHA;
         const vec3 reflectance = lq_fresnel_conductor_rgb(beam.cosine, base.eta, base.kappa);

@@ -22,8 +22,8 @@ constexpr double kMaxTableIndex = 5.0, kMaxTableKappa = 10.0;
 [[noreturn]] void refuse(const Material& material, const std::string& pointer,
                          const std::string& found) {
     throw Error{
-        fmt::format("material '{}': {}: {}; stack shades uniform microsurfaces and absorbing media "
-                    "over a conductor, a Lambertian base or none",
+        fmt::format("material '{}': {}: {}; stack shades uniform microsurfaces and media over"
+                    " a conductor, a Lambertian base or none",
                     material.name, pointer, found)};
 }
 

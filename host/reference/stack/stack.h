@@ -1,5 +1,5 @@
-// The model `stack` in double precision: any number of rough dielectric interfaces and absorbing
-// media over a rough conductor, a Lambertian base or nothing, with all reflections between them.
+// The model `stack` in double precision: any number of rough dielectric interfaces and media that
+// absorb and scatter, over a rough conductor, a Lambertian base or nothing, with all reflections between them.
 // Based on: Belcour 2018, Efficient Rendering of Layered Materials using an Atomic Decomposition
 //           with Statistical Operators; de Dinechin and Belcour 2022, Rendering Layered Materials
 //           with Diffuse Interfaces
