@@ -11,6 +11,7 @@
 #include "reference/equivalent_alpha.h"
 #include "reference/fresnel.h"
 #include "reference/shading.h"
+#include "reference/stack/equivalent_lobe_alpha.h"
 
 namespace lacquer::reference {
 
@@ -61,14 +62,17 @@ StackInterface prepare_interface(const Microsurface& microsurface, double above,
                                  const EnergyTables& tables) {
     const double eta = below / above;
     const double alpha = equivalent_ggx_alpha(microsurface, eta);
-    return {alpha, above, below, tables.clear_profile(alpha, eta),
-            tables.clear_profile(alpha, 1.0 / eta)};
+    return {alpha, equivalent_lobe_alpha(microsurface), above,
+            below, tables.clear_profile(alpha, eta),    tables.clear_profile(alpha, 1.0 / eta)};
 }
 
 // An isotropic roughness for an anisotropic one: the mean, as equivalent_alpha.h has it.
 StackConductor prepare_conductor(const ConductorBase& base, const Microsurface& microsurface,
                                  double ior_above, const EnergyTables& tables) {
-    StackConductor conductor{0.5 * (microsurface.alpha[0] + microsurface.alpha[1]), {}, {}};
+    StackConductor conductor{0.5 * (microsurface.alpha[0] + microsurface.alpha[1]),
+                             equivalent_lobe_alpha(microsurface),
+                             {},
+                             {}};
     for (std::size_t channel = 0; channel < 3; ++channel) {
         conductor.eta[channel] = std::complex{base.eta[channel], base.kappa[channel]} / ior_above;
         conductor.fgd[channel] = tables.fgd_conductor_profile(

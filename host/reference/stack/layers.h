@@ -16,6 +16,7 @@ namespace lacquer::reference {
 
 struct StackInterface {
     double alpha;                 // GGX roughness of its energies (equivalent_alpha.h)
+    double lobe_alpha;            // and of its lobes (equivalent_lobe_alpha.h)
     double ior_above, ior_below;  // absolute
     DirectionPolynomial from_above, from_below;
 
@@ -36,7 +37,8 @@ struct StackMedium {
 };
 
 struct StackConductor {
-    double alpha;
+    double alpha;                             // of its energies
+    double lobe_alpha;                        // see StackInterface
     std::array<std::complex<double>, 3> eta;  // relative to the medium above it
     std::array<DirectionPolynomial, 3> fgd;
 

@@ -185,8 +185,8 @@ class Transport {
         const double eta = interface.eta(downwards);
         const FacetEffect facets = facet_effect(beam.cosine, interface.alpha, eta);
         const double mean = mean_of(cosines);
-        const Beam kept = mirrored(reflected.of(beam, mean), interface.alpha, facets);
-        Beam passed = bent(refracted.of(beam, mean), beam, interface.alpha, eta, facets);
+        const Beam kept = mirrored(reflected.of(beam, mean), interface.lobe_alpha, facets);
+        Beam passed = bent(refracted.of(beam, mean), beam, interface.lobe_alpha, eta, facets);
         if (all_enters_ && n == 0 && downwards) passed.through.energy = Energy{1.0};
         send_on(n, downwards, kept, passed);
     }
@@ -297,8 +297,9 @@ class Transport {
             light_.arrived.add(left);
             return;
         }
-        if (layers_.conductor->alpha >= kMinAlpha)
-            left.for_each_lobe([&](LobeLight& lobe) { lobe.reflect(layers_.conductor->alpha); });
+        if (layers_.conductor->lobe_alpha >= kMinAlpha)
+            left.for_each_lobe(
+                [&](LobeLight& lobe) { lobe.reflect(layers_.conductor->lobe_alpha); });
         left.base.add(left.interfaces);
         left.base.add(left.through);
         left.through = left.interfaces = {};
