@@ -19,9 +19,10 @@ using test::run_lacquer;
 using test::TemporaryFolder;
 
 const std::set<std::string> kFigures{
-    "figure-11",    "figure-12",     "figure-13",        "figure-14", "figure-15",
-    "figure-17",    "figure-19",     "figure-21",        "figure-22", "figure-10-of-2022",
-    "validity-map", "random-stacks", "bundled-materials"};
+    "figure-4",      "figure-7",         "figure-8",  "beckmann",          "figure-11",
+    "figure-12",     "figure-13",        "figure-14", "figure-15",         "figure-17",
+    "figure-19",     "figure-21",        "figure-22", "figure-10-of-2022", "validity-map",
+    "random-stacks", "bundled-materials"};
 const std::set<std::string> kBaselines{"weidlich-wilkie", "clearcoat", "plain"};
 
 struct Run {
@@ -151,6 +152,51 @@ TEST(LayeredSuite, MapsCoverRoughnessAndIndex) {
         }
     EXPECT_EQ(maps, 20);  // gold: 4 indices, 2 cosines; Lambertian: 2; of albedo and width
     EXPECT_LT(unknown, 20 * 81 / 4);  // hardly any light from the base
+}
+
+// Mean error of a model in one subject.
+double error_in(const std::string& figure, const std::string& model, const std::string& subject) {
+    return errors_of(figure_of(figure), model).at(subject);
+}
+
+// Each subject is a panel of plots, each with dots and a line per formula, and rows of the table.
+TEST(LayeredSuite, OperatorsAreShownOverTheirRanges) {
+    for (const char* id : {"figure-4", "figure-7", "figure-8"}) {
+        std::size_t plots = 0, rows = 0;
+        for (const json& panel : figure_of(id).at("panels")) {
+            for (const json& plot : panel.value("plots", json::array())) {
+                ++plots;
+                const json& curves = plot.at("curves");
+                ASSERT_GE(curves.size(), 2u) << id;
+                EXPECT_EQ(curves[0].at("label"), "simulation") << id;
+                EXPECT_GE(curves[0].at("x").size(), 8u) << id << ' ' << plot.at("title");
+                EXPECT_EQ(curves[0].at("errors").size(), curves[0].at("x").size());
+                for (const json& curve : curves)
+                    EXPECT_EQ(curve.at("x").size(), curve.at("y").size()) << id;
+            }
+            if (panel.at("kind") == "table") rows += panel.at("rows").size();
+        }
+        EXPECT_GE(plots, 12u) << id;
+        EXPECT_EQ(rows, figure_of(id).at("errors").size()) << id;
+    }
+}
+
+// What the project claims of its operators, against the paper's: each by at least so much that
+// neither noise nor another seed would turn it.
+TEST(LayeredSuite, OperatorsAgainstThePublished) {
+    const char* kRay = "width of one refracted ray";
+    EXPECT_LT(2.0 * error_in("figure-7", "stack", kRay), error_in("figure-7", "2018", kRay));
+    EXPECT_LT(5.0 * error_in("figure-7", "2018", kRay), error_in("figure-7", "as printed", kRay));
+    for (const char* subject : {"absorption: energy", "scattering: light let through"})
+        EXPECT_LT(5.0 * error_in("figure-8", "stack", subject),
+                  error_in("figure-8", "2018", subject))
+            << subject;
+    // The paper's fit of two reflections has yet to be met.
+    EXPECT_LT(error_in("figure-4", "2018", "two equal reflections"), 0.06);
+    EXPECT_LT(error_in("figure-4", "stack", "two equal reflections"), 0.09);
+    const char* kWidth = "Beckmann coats and metal: width of the base's light";
+    EXPECT_LT(2.0 * error_in("beckmann", "stack", kWidth),
+              error_in("beckmann", "GGX of alpha", kWidth));
 }
 
 TEST(LayeredSuite, RandomStacksOfOneToFourCoats) {

@@ -1,7 +1,6 @@
 #include "study/layered/light_statistics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "simulator/stack.h"
@@ -16,48 +15,6 @@ constexpr int kPoints = 1024;
 double mean_of(const glm::dvec3& rgb) {
     return (rgb.x + rgb.y + rgb.z) / 3.0;
 }
-
-// Of positions on the disk at distance r from its middle: sums of weight times 1, x and r^2, and of
-// squared weight times 1, x, x^2, r^2, r^2 x and r^4.
-struct DiskMoments {
-    std::array<double, 3> plain{};
-    std::array<double, 6> squared{};
-
-    void add(double weight, const glm::dvec3& w) {
-        const double r2 = w.x * w.x + w.y * w.y, weight2 = weight * weight;
-        const std::array terms{1.0, w.x, w.x * w.x, r2, r2 * w.x, r2 * r2};
-        plain[0] += weight;
-        plain[1] += weight * w.x;
-        plain[2] += weight * r2;
-        for (std::size_t k = 0; k < terms.size(); ++k) squared[k] += weight2 * terms[k];
-    }
-
-    void merge(const DiskMoments& other) {
-        for (std::size_t k = 0; k < plain.size(); ++k) plain[k] += other.plain[k];
-        for (std::size_t k = 0; k < squared.size(); ++k) squared[k] += other.squared[k];
-    }
-
-    Spread spread(double count) const {
-        Spread result;
-        if (plain[0] <= 0.0) return result;
-        result.energy = plain[0] / count;
-        result.energy_error =
-            std::sqrt(std::max(0.0, squared[0] / count - result.energy * result.energy) / count);
-        const double mean = plain[1] / plain[0];
-        const double variance = 0.5 * (plain[2] / plain[0] - mean * mean);
-        if (variance <= 0.0) return result;
-        result.width = std::sqrt(variance);
-        // The variance is a ratio of sums; its error to first order, from the squared residuals of
-        // ((r^2 - 2 mean x + mean^2) / 2 - variance).
-        const double c = mean * mean - 2.0 * variance;
-        const double residual = squared[5] + 4.0 * mean * mean * squared[2] + c * c * squared[0] -
-                                4.0 * mean * squared[4] + 2.0 * c * squared[3] -
-                                4.0 * mean * c * squared[1];
-        result.width_error =
-            0.5 * std::sqrt(std::max(residual, 0.0)) / plain[0] / (2.0 * result.width);
-        return result;
-    }
-};
 
 struct StatisticsTally {
     DiskMoments all, base;

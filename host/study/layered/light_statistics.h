@@ -5,19 +5,13 @@
 #include <string>
 
 #include "lacquer/material.h"
+#include "study/layered/disk_moments.h"
 #include "study/model_light.h"
 #include "study/run.h"
 
 namespace lacquer::study {
 
-// Of all light that comes back, or of that which met the base. Means over the channels.
-struct Spread {
-    double energy = 0.0, energy_error = 0.0;
-    // Standard deviation per axis of the directions on the projected disk: 0.5 where they are
-    // spread as by a Lambertian surface. 0 where there is no light.
-    double width = 0.0, width_error = 0.0;
-};
-
+// Means over the channels, of all light that comes back and of that which met the base.
 struct LightStatistics {
     Spread all, base;
 };

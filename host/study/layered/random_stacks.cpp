@@ -1,4 +1,6 @@
 // Albedos of random stacks of one to four coats.
+#include "study/layered/random_stacks.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +9,8 @@
 #include <random>
 
 #include "simulator/albedo.h"
-#include "study/error_tally.h"
 #include "study/layered/compared.h"
+#include "study/layered/error_sizes.h"
 #include "study/layered/stacks.h"
 #include "study/layered/suite.h"
 
@@ -20,13 +22,6 @@ constexpr int kStacks = 40;  // of each number of coats over each base
 constexpr int kMostCoats = 4;
 constexpr std::uint64_t kStackShare = 1 << 6;
 
-enum class BaseKind { conductor, lambertian };
-
-struct Sample {
-    Material material;
-    double cos_theta;
-};
-
 double uniform(std::mt19937_64& generator, double low, double high) {
     return std::uniform_real_distribution<double>{low, high}(generator);
 }
@@ -37,8 +32,9 @@ Rgb uniform_rgb(std::mt19937_64& generator, double low, double high) {
     return rgb;
 }
 
-// Varnishes, glasses and glazes in any order.
-Sample random_sample(std::mt19937_64& generator, BaseKind kind, int coats) {
+}  // namespace
+
+RandomStack random_stack(std::mt19937_64& generator, BaseKind kind, int coats) {
     constexpr double kMaxAlpha = 0.8, kMinTau = 0.3;
     std::vector<Layer> layers;
     for (int n = 0; n < coats; ++n) {
@@ -57,7 +53,7 @@ Sample random_sample(std::mt19937_64& generator, BaseKind kind, int coats) {
     return {stack_of("", std::move(layers), std::move(base)), cosine};
 }
 
-std::string describe(const Sample& sample, std::size_t channel) {
+std::string describe(const RandomStack& sample, std::size_t channel) {
     std::string text = fmt::format("cos_theta {:.2f}", sample.cos_theta);
     for (const Layer& layer : sample.material.layers)
         text += fmt::format(", [ior {:.2f}, alpha {:.2f}, tau {:.2f}]", layer.interface.ior,
@@ -70,20 +66,10 @@ std::string describe(const Sample& sample, std::size_t channel) {
                               base.kappa[channel], std::get<Microsurface>(base.roughness).alpha[0]);
 }
 
-// Of one model on stacks of one kind.
-struct Errors {
-    ErrorTally tally;
-    std::vector<double> sizes;
+namespace {
 
-    double quantile(double share) {
-        std::ranges::sort(sizes);
-        const auto last = static_cast<double>(sizes.size() - 1);
-        return sizes[static_cast<std::size_t>(share * last)];
-    }
-};
-
-void measure(const Sample& sample, const std::string& subject, const std::string& seed,
-             const StudyRun& run, std::map<std::string, Errors>& errors) {
+void measure(const RandomStack& sample, const std::string& subject, const std::string& seed,
+             const StudyRun& run, std::map<std::string, ErrorSizes>& errors) {
     const auto truth =
         simulator::estimate_albedo(simulator::StackWalk{sample.material}, sample.cos_theta,
                                    run.options(run.share(kStackShare), seed));
@@ -92,14 +78,12 @@ void measure(const Sample& sample, const std::string& subject, const std::string
     for (const Compared& model : compared_on(sample.material)) {
         if (!model.light) continue;
         const reference::Albedo albedo = model.light->albedo(wo);
-        Errors& of =
-            errors.try_emplace(model.name, Errors{{subject, model.name}, {}}).first->second;
+        ErrorSizes& of = errors.try_emplace(model.name, subject, model.name).first->second;
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const int c = static_cast<int>(channel);
             const double error = albedo.direct[c] + albedo.base[c] - truth.total.mean[channel];
-            of.tally.add(error, truth.total.standard_error[channel],
-                         [&] { return describe(sample, channel); });
-            of.sizes.push_back(std::abs(error));
+            of.add(error, truth.total.standard_error[channel],
+                   [&] { return describe(sample, channel); });
         }
     }
 }
@@ -110,21 +94,17 @@ void add_kind(Figure& figure, NumberTable& table, BaseKind kind, int coats, cons
         fmt::format("{} coat{} over {}", coats, coats == 1 ? "" : "s",
                     kind == BaseKind::conductor ? "conductors" : "Lambertian bases");
     std::mt19937_64 generator{run.seed_of(subject)};
-    std::map<std::string, Errors> errors;
+    std::map<std::string, ErrorSizes> errors;
     for (int n = 0; n < kStacks; ++n) {
         run.part(fmt::format("random stack {} of {}", n + 1, subject));
-        measure(random_sample(generator, kind, coats), subject, fmt::format("{} {}", subject, n),
+        measure(random_stack(generator, kind, coats), subject, fmt::format("{} {}", subject, n),
                 run, errors);
     }
-    for (const Compared& model : compared_on(random_sample(generator, kind, coats).material)) {
+    for (const Compared& model : compared_on(random_stack(generator, kind, coats).material)) {
         const auto found = errors.find(model.name);
         if (found == errors.end()) continue;
-        const ModelError error = found->second.tally.result();
-        figure.errors.push_back(error);
-        table.rows.push_back({subject, model.name, fmt::format("{:.4f}", error.mean),
-                              fmt::format("{:.4f}", found->second.quantile(0.95)),
-                              fmt::format("{:.4f}", error.max),
-                              fmt::format("{:.4f}", error.noise)});
+        figure.errors.push_back(found->second.result());
+        table.rows.push_back(found->second.row());
     }
 }
 
@@ -139,7 +119,7 @@ Figure random_stacks_figure(const StudyRun& run) {
                     "0.8; cos_theta from 0.05. weidlich-wilkie and clearcoat shade one coat.",
                     kStacks),
         "mean and largest |error| of the directional albedo"};
-    NumberTable table{"", {"stacks", "model", "mean", "95 % below", "max", "noise"}, {}};
+    NumberTable table{"", error_columns("stacks", "model"), {}};
     for (const BaseKind kind : {BaseKind::conductor, BaseKind::lambertian})
         for (int coats = 1; coats <= kMostCoats; ++coats) add_kind(figure, table, kind, coats, run);
     figure.panels.emplace_back(std::move(table));

@@ -9,6 +9,10 @@
 
 namespace lacquer::study {
 
+Figure reflection_operator_figure(const StudyRun& run);
+Figure refraction_operator_figure(const StudyRun& run);
+Figure medium_operators_figure(const StudyRun& run);
+Figure mixed_facets_figure(const StudyRun& run);
 Figure saturation_figure(const StudyRun& run);
 Figure stack_furnace_figure(const StudyRun& run);
 Figure frosted_metal_figure(const StudyRun& run);
@@ -23,7 +27,11 @@ Figure validity_map_figure(const StudyRun& run);
 Figure random_stacks_figure(const StudyRun& run);
 Figure bundled_materials_figure(const StudyRun& run);
 
-inline constexpr std::array<FigureEntry, 13> kLayeredFigures{{
+inline constexpr std::array<FigureEntry, 17> kLayeredFigures{{
+    {"figure-4", reflection_operator_figure},
+    {"figure-7", refraction_operator_figure},
+    {"figure-8", medium_operators_figure},
+    {"beckmann", mixed_facets_figure},
     {"figure-11", saturation_figure},
     {"figure-12", stack_furnace_figure},
     {"figure-13", frosted_metal_figure},
