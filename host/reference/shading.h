@@ -19,14 +19,15 @@ inline constexpr double kMinChoice = 0.1;
 
 struct Sample {
     glm::dvec3 wi{0.0, 0.0, 1.0};
-    glm::dvec3 weight{0.0};  // f cos_theta_i / pdf; 0 where wi is below the surface
-    double pdf = 0.0;        // per solid angle; 0 where wi is below the surface
+    glm::dvec3 weight{0.0};  // f |cos_theta_i| / pdf; 0 where no lobe sends light to wi
+    double pdf = 0.0;        // per solid angle; 0 where no lobe sends light to wi
 };
 
 // Directional albedo, split by where the light turned back.
 struct Albedo {
     glm::dvec3 direct{0.0};  // never reached the base
     glm::dvec3 base{0.0};
+    glm::dvec3 transmitted{0.0};  // left below; no part of what is reflected
 };
 
 bool is_above(const glm::dvec3& w);

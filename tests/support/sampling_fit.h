@@ -8,7 +8,8 @@
 
 namespace lacquer::test {
 
-// A direction drawn from u in [0, 1)^3; nothing where the sampler gave none above the surface.
+// A direction drawn from u in [0, 1)^3; nothing where the sampler gave none that it has a density
+// for.
 using Sampler = std::function<std::optional<glm::dvec3>(const glm::dvec3& u)>;
 
 // That 10^6 directions of `sampler` fit `density`, per solid angle of the upper hemisphere, in 32 x
@@ -18,5 +19,10 @@ using Sampler = std::function<std::optional<glm::dvec3>(const glm::dvec3& u)>;
 void expect_sampling_fit(const Sampler& sampler,
                          const std::function<double(const glm::dvec3& wi)>& density,
                          double significance, const std::string& what);
+
+// The same over the whole sphere, in 64 x 64 cells.
+void expect_sphere_sampling_fit(const Sampler& sampler,
+                                const std::function<double(const glm::dvec3& wi)>& density,
+                                double significance, const std::string& what);
 
 }  // namespace lacquer::test

@@ -45,7 +45,7 @@ Energy ArrivingLight::average() const {
 ArrivingLight fit_arriving(const StackLayers& layers) {
     ArrivingLight fit{layers.interfaces.front(), {}};
     for (std::size_t n = 0; n < ArrivingLight::kKnown; ++n)
-        fit.known[n] = arriving_of_entered(layers, known_cosine(n));
+        fit.known[n] = light_of_entered(layers, known_cosine(n)).arrived();
     return fit;
 }
 

@@ -109,17 +109,11 @@ class Transport {
     }
 
     // As if all light entered.
-    Energy run_entered(double cosine) {
-        down_[0].cosine = cosine;
-        down_[0].through.energy = Energy{1.0};
+    StackLight run_entered(double cosine) {
         all_enters_ = true;
-        meet_interface(0, true);
-        for (int pass = 0; pass < kPasses; ++pass) {
-            pass_down();
-            pass_up();
-        }
-        add_rest();
-        return light_.arrived.energy();
+        StackLight light = run(cosine);
+        light.top = 0.0;
+        return light;
     }
 
     Energy run_from_below() {
@@ -142,6 +136,7 @@ class Transport {
 
     void pass_up() {
         for (std::size_t n = count_; n-- > 0;) meet(n, false);
+        first_pass_ = false;
     }
 
     // The light about to leave a medium, which is taken from there.
@@ -294,7 +289,7 @@ class Transport {
         base_share_ = remaining.share();
         Beam left = remaining.of(beam, mean_of(cosines));
         if (!layers_.conductor) {
-            light_.arrived.add(left);
+            (first_pass_ ? light_.straight : light_.detoured).add(left);
             return;
         }
         if (layers_.conductor->lobe_alpha >= kMinAlpha)
@@ -317,7 +312,7 @@ class Transport {
             light_.base.energy +=
                 rest.escaping[n] * (beam.base.energy + (meets_base ? shallow : Energy{0.0}));
             if (!meets_base) light_.interfaces.energy += rest.escaping[n] * shallow;
-            light_.arrived.through.energy += rest.arriving[n] * beam.energy();
+            light_.detoured.interfaces.energy += rest.arriving[n] * beam.energy();
         }
     }
 
@@ -327,7 +322,7 @@ class Transport {
     std::vector<Beam> down_, up_;  // on their way to level n, or up from it, and to the bottom
     std::vector<InterfaceShares> shares_;
     Energy base_share_{0.0};
-    bool all_enters_ = false;
+    bool all_enters_ = false, first_pass_ = true;
     StackLight light_;
 };
 
@@ -337,7 +332,7 @@ StackLight light_from_above(const StackLayers& layers, double cosine) {
     return Transport{layers}.run(cosine);
 }
 
-Energy arriving_of_entered(const StackLayers& layers, double cosine) {
+StackLight light_of_entered(const StackLayers& layers, double cosine) {
     return Transport{layers}.run_entered(cosine);
 }
 

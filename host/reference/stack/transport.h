@@ -17,15 +17,19 @@ namespace lacquer::reference {
 struct StackLight {
     double top = 0.0;            // reflected by the top interface, all orders
     LobeLight interfaces, base;  // reflected below it at most, and by the base
-    Beam arrived;                // at the bottom for the first time, where no conductor is
+    // At the bottom for the first time, where no conductor is: light that came straight down, and
+    // light that was reflected on the way.
+    Beam straight, detoured;
+
+    Energy arrived() const { return straight.energy() + detoured.energy(); }
 };
 
 // Of light from the exterior at `cosine` in (0, 1].
 StackLight light_from_above(const StackLayers& layers, double cosine);
 
-// Of light that has entered the top medium from there, what arrives at the bottom for the first
-// time: where no conductor is.
-Energy arriving_of_entered(const StackLayers& layers, double cosine);
+// The same of light that has entered the top medium from there: per what entered, and nothing of it
+// reflected by the top interface from above.
+StackLight light_of_entered(const StackLayers& layers, double cosine);
 
 // The fraction of diffuse light sent up from the bottom that comes back there, where no conductor
 // is.
