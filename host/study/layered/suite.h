@@ -23,11 +23,12 @@ Figure equal_roughness_figure(const StudyRun& run);
 Figure variance_figure(const StudyRun& run);
 Figure two_layer_grid_figure(const StudyRun& run);
 Figure coated_coats_figure(const StudyRun& run);
+Figure diffuse_algorithm_figure(const StudyRun& run);
 Figure validity_map_figure(const StudyRun& run);
 Figure random_stacks_figure(const StudyRun& run);
 Figure bundled_materials_figure(const StudyRun& run);
 
-inline constexpr std::array<FigureEntry, 17> kLayeredFigures{{
+inline constexpr std::array<FigureEntry, 18> kLayeredFigures{{
     {"figure-4", reflection_operator_figure},
     {"figure-7", refraction_operator_figure},
     {"figure-8", medium_operators_figure},
@@ -42,6 +43,7 @@ inline constexpr std::array<FigureEntry, 17> kLayeredFigures{{
     {"figure-21", variance_figure},
     {"figure-22", two_layer_grid_figure},
     {"figure-10-of-2022", coated_coats_figure},
+    {"algorithm-1-of-2022", diffuse_algorithm_figure},
     {"validity-map", validity_map_figure},
     {"random-stacks", random_stacks_figure},
     {"bundled-materials", bundled_materials_figure},

@@ -88,8 +88,8 @@ OperatorCheck two_lobes(const StudyRun& run) {
     return check;
 }
 
-void set_ndf(Roughness& roughness, Ndf ndf) {
-    std::get<Microsurface>(roughness).ndf = ndf;
+void make_beckmann(Roughness& roughness) {
+    std::get<Microsurface>(roughness).ndf = Ndf::beckmann;
 }
 
 // Which parts of a random stack have Beckmann facets.
@@ -97,10 +97,10 @@ struct Kind {
     const char* name;
     bool coats, base;
 
-    Material of(Material material, Ndf ndf) const {
+    Material with_beckmann(Material material) const {
         if (coats)
-            for (Layer& layer : material.layers) set_ndf(layer.interface.roughness, ndf);
-        if (base) set_ndf(std::get<ConductorBase>(material.base).roughness, ndf);
+            for (Layer& layer : material.layers) make_beckmann(layer.interface.roughness);
+        if (base) make_beckmann(std::get<ConductorBase>(material.base).roughness);
         return material;
     }
 };
@@ -113,43 +113,54 @@ LightStatistics statistics_of(const Material& material, double cos_theta) {
     return model_statistics(*compared_on(material, Need::base).front().light, cos_theta);
 }
 
-// stack on a material and on the same of GGX facets alone, as a model of one distribution has it.
+// A random stack, simulated, and stack on it and on the same of GGX facets alone, as a model of one
+// distribution has it.
+struct Result {
+    RandomStack stack;
+    LightStatistics truth, mixed, as_ggx;
+};
+
+std::vector<Result> random_results(const Kind& kind, const StudyRun& run) {
+    std::mt19937_64 generator{run.seed_of(kind.name)};
+    std::vector<Result> results(kStacks);
+    for (int n = 0; n < kStacks; ++n)
+        results[static_cast<std::size_t>(n)].stack =
+            random_stack(generator, BaseKind::conductor, 1 + n % kMostCoats);
+    tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t n) {
+        Result& result = results[n];
+        auto& [material, cos_theta] = result.stack;
+        result.as_ggx = statistics_of(material, cos_theta);
+        material = kind.with_beckmann(std::move(material));
+        result.mixed = statistics_of(material, cos_theta);
+        result.truth = simulate_statistics(material, cos_theta, run.share(kDotShare), run,
+                                           fmt::format("{} {}", kind.name, n));
+    });
+    return results;
+}
+
 void add_stacks(Figure& figure, NumberTable& table, const Kind& kind, const StudyRun& run) {
     run.part(kind.name);
-    std::mt19937_64 generator{run.seed_of(kind.name)};
-    std::vector<RandomStack> stacks;
-    for (int n = 0; n < kStacks; ++n) {
-        stacks.push_back(random_stack(generator, BaseKind::conductor, 1 + n % kMostCoats));
-        stacks.back().material = kind.of(std::move(stacks.back().material), Ndf::beckmann);
-    }
-    struct Result {
-        LightStatistics truth, mixed, as_ggx;
-    };
-    std::vector<Result> results(stacks.size());
-    tbb::parallel_for(std::size_t{0}, stacks.size(), [&](std::size_t n) {
-        const auto& [material, cos_theta] = stacks[n];
-        results[n] = {simulate_statistics(material, cos_theta, run.share(kDotShare), run,
-                                          fmt::format("{} {}", kind.name, n)),
-                      statistics_of(material, cos_theta),
-                      statistics_of(kind.of(material, Ndf::ggx), cos_theta)};
-    });
+    const std::vector<Result> results = random_results(kind, run);
+    std::vector<ErrorSizes> albedos, widths;
     for (const auto& [name, of] :
          {std::pair{"stack", &Result::mixed}, {"GGX of alpha", &Result::as_ggx}}) {
-        ErrorSizes albedo{fmt::format("{}: albedo", kind.name), name},
-            width{fmt::format("{}: width of the base's light", kind.name), name};
-        for (std::size_t n = 0; n < results.size(); ++n) {
-            const Spread &all = results[n].truth.all, &base = results[n].truth.base;
-            const auto where = [&] { return describe(stacks[n], 1); };
-            albedo.add((results[n].*of).all.energy - all.energy, all.energy_error, where);
+        ErrorSizes& albedo = albedos.emplace_back(fmt::format("{}: albedo", kind.name), name);
+        ErrorSizes& width =
+            widths.emplace_back(fmt::format("{}: width of the base's light", kind.name), name);
+        for (const Result& result : results) {
+            const Spread &all = result.truth.all, &base = result.truth.base;
+            const auto where = [&] { return describe(result.stack, 1); };
+            albedo.add((result.*of).all.energy - all.energy, all.energy_error, where);
             if (base.energy < kLeastEnergy || base.width <= 0.0) continue;
-            width.add((results[n].*of).base.width / base.width - 1.0, base.width_error / base.width,
+            width.add((result.*of).base.width / base.width - 1.0, base.width_error / base.width,
                       where);
         }
-        for (const ErrorSizes* errors : {&albedo, &width}) {
-            figure.errors.push_back(errors->result());
-            table.rows.push_back(errors->row());
-        }
     }
+    for (const std::vector<ErrorSizes>* errors : {&albedos, &widths})
+        for (const ErrorSizes& one : *errors) {
+            figure.errors.push_back(one.result());
+            table.rows.push_back(one.row());
+        }
 }
 
 }  // namespace
