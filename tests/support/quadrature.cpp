@@ -22,4 +22,12 @@ double integrate_hemisphere(const std::function<double(const glm::dvec3&)>& f, i
     return sum * (1.0 / steps) * (2 * kPi / steps);
 }
 
+glm::dvec3 mean_over_cube(const std::function<glm::dvec3(const glm::dvec3& u)>& f, int points) {
+    constexpr double kSecond = 0.7548776662466927, kThird = 0.5698402909980532;
+    glm::dvec3 sum{0.0};
+    for (int n = 0; n < points; ++n)
+        sum += f({(n + 0.5) / points, std::fmod(n * kSecond, 1.0), std::fmod(n * kThird, 1.0)});
+    return sum / double(points);
+}
+
 }  // namespace lacquer::test

@@ -5,23 +5,23 @@
 //
 // with T(w) the light arriving along w that reaches the base for the first time, R_bar the light
 // leaving the base diffusely that returns to it, and n the index above the base over the
-// exterior's. Based on: de Dinechin and Belcour 2022, Rendering Layered Materials with Diffuse
-// Interfaces, Eq. 3
+// exterior's.
+//
+// Based on: de Dinechin and Belcour 2022, Rendering Layered Materials with Diffuse Interfaces,
+//           Eq. 3
 #pragma once
 
-#include <array>
 #include <glm/vec3.hpp>
 
-#include "reference/stack/layers.h"
+#include "reference/stack/fitted_light.h"
 
 namespace lacquer::reference {
 
-// T as a function of direction: what the top interface lets in, of which a polynomial of the cosine
-// arrives at the base. A light then costs no transport.
+// T as a function of direction: what the top interface lets in, of which a cubic of the cosine
+// arrives at the base.
 struct ArrivingLight {
-    static constexpr std::size_t kKnown = 4;
     StackInterface top;
-    std::array<Energy, kKnown> known{};  // of what has entered, at the zeros of T_4(2 c - 1)
+    Cubic<Energy> share;  // of what has entered
 
     // At `cosine` in [0, 1].
     Energy at(double cosine) const;
@@ -30,8 +30,6 @@ struct ArrivingLight {
     Energy average() const;
 };
 
-ArrivingLight fit_arriving(const StackLayers& layers);
-
 struct DiffuseBase {
     ArrivingLight arriving;
     glm::dvec3 spread;    // rho / (pi n^2 (1 - rho R_bar))
@@ -39,6 +37,7 @@ struct DiffuseBase {
 };
 
 // `albedo` of the base in [0, 1].
-DiffuseBase prepare_diffuse_base(const StackLayers& layers, const glm::dvec3& albedo);
+DiffuseBase prepare_diffuse_base(const StackLayers& layers, const EnteredLight& entered,
+                                 const glm::dvec3& albedo);
 
 }  // namespace lacquer::reference

@@ -92,15 +92,19 @@ Chosen direction_from(const StackView& seen, const glm::dvec3& u) {
 
 }  // namespace
 
-StackSurface prepare_stack(const Material& material, const EnergyTables& tables) {
+StackSurface prepare_stack(const Material& material, const EnergyTables& tables, StackLobes lobes) {
     StackLayers layers = prepare_layers(material, tables);
     const Interface& interface = material.layers.front().interface;
     const Coat top = prepare_coat(std::get<Microsurface>(interface.roughness),
                                   interface.ior / material.exterior_ior, tables);
-    std::optional<DiffuseBase> diffuse;
-    if (const auto* base = std::get_if<LambertianBase>(&material.base))
-        diffuse = prepare_diffuse_base(layers, vector_of(base->albedo));
-    return {std::move(layers), top, diffuse};
+    StackSurface surface{std::move(layers), top, {}, {}};
+    const auto* base = std::get_if<LambertianBase>(&material.base);
+    if (!base && lobes == StackLobes::forward) return surface;
+    const EnteredLight entered = entered_light(surface.layers);
+    if (base)
+        surface.diffuse = prepare_diffuse_base(surface.layers, entered, vector_of(base->albedo));
+    if (lobes == StackLobes::symmetric) surface.symmetric = fit_symmetric(surface.layers, entered);
+    return surface;
 }
 
 namespace {
@@ -115,7 +119,8 @@ StackLobe lobe_of(const LobeLight& light, double cosine, const EnergyTables& tab
 StackView view(const StackSurface& surface, const glm::dvec3& wo) {
     const double cosine = std::min(wo.z, 1.0);
     const EnergyTables& tables = *surface.layers.tables;
-    const StackLight light = light_from_above(surface.layers, cosine);
+    const StackLight light = surface.symmetric ? surface.symmetric->at(cosine)
+                                               : light_from_above(surface.layers, cosine);
     StackView seen{&surface, wo, light.top, {}, glm::dvec3{0.0}, {}, {}};
     if (sum(light.interfaces.energy) > 0.0)
         seen.lobes.push_back(lobe_of(light.interfaces, cosine, tables));
@@ -130,6 +135,13 @@ StackView view(const StackSurface& surface, const glm::dvec3& wo) {
 }
 
 namespace {
+
+glm::dvec3 forward_value(const StackView& seen, const glm::dvec3& wi) {
+    glm::dvec3 f{0.0};
+    for (const StackLobe& lobe : seen.lobes)
+        f += lobe.energy / lobe.mirrored * reflection_lobe(facets_of(lobe), wi, seen.wo);
+    return f;
+}
 
 glm::dvec3 eval_below(const StackView& seen, const glm::dvec3& wi) {
     glm::dvec3 f{0.0};
@@ -151,8 +163,8 @@ glm::dvec3 eval(const StackView& seen, const glm::dvec3& wi) {
     if (wi.z < 0.0) return eval_below(seen, wi);
     if (!is_above(wi)) return glm::dvec3{0.0};
     glm::dvec3 f{coat_lobe(seen.surface->top, wi, seen.wo)};
-    for (const StackLobe& lobe : seen.lobes)
-        f += lobe.energy / lobe.mirrored * reflection_lobe(facets_of(lobe), wi, seen.wo);
+    f += seen.surface->symmetric ? symmetric_value(*seen.surface->symmetric, wi, seen.wo)
+                                 : forward_value(seen, wi);
     if (seen.surface->diffuse)
         f += seen.arriving * glm::dvec3{seen.surface->diffuse->arriving.at(std::min(wi.z, 1.0))} *
              seen.surface->diffuse->spread;

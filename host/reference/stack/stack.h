@@ -1,15 +1,19 @@
 // The model `stack` in double precision: any number of rough dielectric interfaces and media that
 // absorb and scatter, over a rough conductor, a Lambertian base or nothing, with all reflections
-// between them. Based on: Belcour 2018, Efficient Rendering of Layered Materials using an Atomic
-// Decomposition
+// between them.
+//
+// Based on: Belcour 2018, Efficient Rendering of Layered Materials using an Atomic Decomposition
 //           with Statistical Operators; de Dinechin and Belcour 2022, Rendering Layered Materials
 //           with Diffuse Interfaces
 //
-// The forward model: lobes follow from the viewer's direction alone and are not reciprocal. The top
-// interface's is the coat's of coat.h; the others are GGX lobes about the mirror direction, whose
-// energy and roughness come from transport.h (2018, Eq. 39); a Lambertian base adds the exact lobe
-// of diffuse_base.h, and no base at all those of transmission.h: then light comes from below as
-// well. Viewers are above.
+// The top interface's lobe is the coat's of coat.h; the others are GGX lobes about the mirror
+// direction, whose energy and roughness come from transport.h (2018, Eq. 39); a Lambertian base
+// adds the exact lobe of diffuse_base.h, and no base at all those of transmission.h: then light
+// comes from below as well. Viewers are above.
+//
+// In the forward model the GGX lobes follow from the viewer's direction alone and are not
+// reciprocal; in the symmetric one (symmetric.h) all that is reflected is. That looks at the stack
+// from four directions once, where the forward model follows the light for every viewer.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -21,6 +25,7 @@
 #include "reference/shading.h"
 #include "reference/stack/diffuse_base.h"
 #include "reference/stack/layers.h"
+#include "reference/stack/symmetric.h"
 #include "reference/stack/transmission.h"
 
 namespace lacquer::reference {
@@ -29,10 +34,14 @@ struct StackSurface {
     StackLayers layers;
     Coat top;
     std::optional<DiffuseBase> diffuse;
+    std::optional<SymmetricLight> symmetric;  // none in the forward model
 };
 
+enum class StackLobes { forward, symmetric };
+
 // `tables` must outlive the result. See prepare_layers for what it throws.
-StackSurface prepare_stack(const Material& material, const EnergyTables& tables);
+StackSurface prepare_stack(const Material& material, const EnergyTables& tables,
+                           StackLobes lobes = StackLobes::forward);
 
 // A GGX lobe of light that was reflected below the top interface.
 struct StackLobe {

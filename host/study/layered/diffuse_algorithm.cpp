@@ -44,7 +44,8 @@ class Forms {
     Forms(const Material& material, const EnergyTables& tables)
         : layers_{reference::prepare_layers(material, tables)},
           albedo_{reference::vector_of(std::get<LambertianBase>(material.base).albedo)},
-          exact_{reference::prepare_diffuse_base(layers_, albedo_)} {}
+          exact_{reference::prepare_diffuse_base(layers_, reference::entered_light(layers_),
+                                                 albedo_)} {}
 
     BaseModel exact(double cosine) const {
         const glm::dvec3 arriving{exact_.arriving.at(cosine)};

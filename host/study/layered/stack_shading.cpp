@@ -16,11 +16,11 @@ class StackShading final : public reference::Shading {
     explicit StackShading(reference::StackSurface surface) : surface_{std::move(surface)} {}
 
     glm::dvec3 eval(const glm::dvec3& wi, const glm::dvec3& wo) const override {
-        if (!reference::is_above(wi) || !reference::is_above(wo)) return glm::dvec3{0.0};
+        if (!reference::is_above(wo)) return glm::dvec3{0.0};
         return reference::eval(seen_from(wo), wi);
     }
     double pdf(const glm::dvec3& wi, const glm::dvec3& wo) const override {
-        if (!reference::is_above(wi) || !reference::is_above(wo)) return 0.0;
+        if (!reference::is_above(wo)) return 0.0;
         return reference::pdf(seen_from(wo), wi);
     }
     reference::Sample sample(const glm::dvec3& wo, const glm::dvec3& u) const override {

@@ -1,0 +1,25 @@
+// What brings the albedo of a symmetric lobe (symmetric.h) to the light that the lobe should have:
+// a factor b of the cosine of either direction. Alone, lobes at grazing angles take their light
+// from directions for which the stack reflects more, and none has what meets several facets.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "reference/stack/fitted_light.h"
+
+namespace lacquer::reference {
+
+// Linear between its nodes and constant beyond; finer at grazing angles, where it bends.
+struct Balance {
+    static constexpr std::array<double, 5> kNodes{0.05, 0.15, 0.35, 0.65, 1.0};
+    std::array<double, kNodes.size()> known{1.0, 1.0, 1.0, 1.0, 1.0};
+
+    // At `cosine` in [0, 1].
+    double at(double cosine) const;
+};
+
+// By light of the mean of the three colours.
+Balance fit_balance(const StackInterface& top, const FittedLobe& lobe);
+
+}  // namespace lacquer::reference

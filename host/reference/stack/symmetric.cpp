@@ -1,0 +1,67 @@
+#include "reference/stack/symmetric.h"
+
+#include <algorithm>
+
+#include "reference/reflection.h"
+
+namespace lacquer::reference {
+
+namespace {
+
+double entering(const StackInterface& top, double cosine) {
+    return top.transmittance(cosine, true);
+}
+
+template <typename Light, typename Take>
+std::array<Light, kCubicNodes> taken(const EnteredLight& entered, const Take& take) {
+    std::array<Light, kCubicNodes> lights;
+    std::ranges::transform(entered, lights.begin(), take);
+    return lights;
+}
+
+SymmetricLobe symmetric_lobe(const StackInterface& top,
+                             const std::array<LobeLight, kCubicNodes>& known) {
+    SymmetricLobe lobe{fit_lobe(known), {}};
+    if (!lobe.light.is_dark()) lobe.balance = fit_balance(top, lobe.light);
+    return lobe;
+}
+
+}  // namespace
+
+StackLight SymmetricLight::at(double cosine) const {
+    const double share = entering(top, cosine);
+    StackLight light{1.0 - share, interfaces.light.at(cosine), base.light.at(cosine),
+                     straight.at(cosine), detoured.at(cosine)};
+    light.interfaces.energy *= share;
+    light.base.energy *= share;
+    light.straight.scale(Energy{share});
+    light.detoured.scale(Energy{share});
+    return light;
+}
+
+SymmetricLight fit_symmetric(const StackLayers& layers, const EnteredLight& entered) {
+    const StackInterface& top = layers.interfaces.front();
+    using Of = const StackLight&;
+    return {
+        top,
+        symmetric_lobe(top, taken<LobeLight>(entered, [](Of light) { return light.interfaces; })),
+        symmetric_lobe(top, taken<LobeLight>(entered, [](Of light) { return light.base; })),
+        fit_beam(taken<Beam>(entered, [](Of light) { return light.straight; })),
+        fit_beam(taken<Beam>(entered, [](Of light) { return light.detoured; }))};
+}
+
+glm::dvec3 symmetric_value(const SymmetricLight& light, const glm::dvec3& wi,
+                           const glm::dvec3& wo) {
+    const double cosine = std::min(cos_theta_halfway(wi, wo), 1.0);
+    glm::dvec3 f{0.0};
+    for (const SymmetricLobe* lobe : {&light.interfaces, &light.base}) {
+        if (lobe->light.is_dark()) continue;
+        const LobeLight here = lobe->light.at(cosine);
+        const double scale =
+            lobe->balance.at(std::min(wi.z, 1.0)) * lobe->balance.at(std::min(wo.z, 1.0));
+        f += glm::dvec3{here.energy} * (scale * reflection_lobe(facets_of(here), wi, wo));
+    }
+    return entering(light.top, cosine) * f;
+}
+
+}  // namespace lacquer::reference
