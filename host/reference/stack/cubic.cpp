@@ -7,18 +7,32 @@ namespace lacquer::reference {
 
 namespace {
 
-// 1 at cubic_node(n) and 0 at the others.
+using Nodes = std::array<double, kCubicNodes>;
+
+const Nodes& nodes() {
+    static const Nodes all = [] {
+        Nodes zeros;
+        for (std::size_t n = 0; n < kCubicNodes; ++n)
+            zeros[n] = 0.5 - 0.5 * std::cos((static_cast<double>(n) + 0.5) * std::numbers::pi /
+                                            kCubicNodes);
+        return zeros;
+    }();
+    return all;
+}
+
+// 1 at node n and 0 at the others.
 double lagrange(std::size_t n, double cosine) {
+    const Nodes& at = nodes();
     double product = 1.0;
     for (std::size_t k = 0; k < kCubicNodes; ++k)
-        if (k != n) product *= (cosine - cubic_node(k)) / (cubic_node(n) - cubic_node(k));
+        if (k != n) product *= (cosine - at[k]) / (at[n] - at[k]);
     return product;
 }
 
 }  // namespace
 
 double cubic_node(std::size_t n) {
-    return 0.5 - 0.5 * std::cos((static_cast<double>(n) + 0.5) * std::numbers::pi / kCubicNodes);
+    return nodes()[n];
 }
 
 std::array<double, kCubicNodes> cubic_weights(double cosine) {

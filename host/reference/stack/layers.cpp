@@ -110,7 +110,7 @@ Energy StackConductor::albedo(double cosine, double mean) const {
 
 StackLayers prepare_layers(const Material& material, const EnergyTables& tables) {
     if (material.layers.empty()) refuse(material, "/layers", "no layer");
-    StackLayers layers{{}, {}, {}, &tables};
+    StackLayers layers{{}, {}, {}, &tables, std::holds_alternative<NoBase>(material.base)};
     double above = material.exterior_ior;
     for (std::size_t n = 0; n < material.layers.size(); ++n) {
         const Layer& layer = material.layers[n];

@@ -52,6 +52,7 @@ struct StackLayers {
     std::vector<StackMedium> media;          // below each
     std::optional<StackConductor> conductor;
     const EnergyTables* tables;
+    bool open_below = false;  // no base: light leaves there
 
     std::size_t count() const { return interfaces.size(); }
 };

@@ -126,7 +126,7 @@ StackView view(const StackSurface& surface, const glm::dvec3& wo) {
         seen.lobes.push_back(lobe_of(light.interfaces, cosine, tables));
     if (surface.layers.conductor) seen.lobes.push_back(lobe_of(light.base, cosine, tables));
     if (surface.diffuse) seen.arriving = glm::dvec3{surface.diffuse->arriving.at(cosine)};
-    if (!surface.layers.conductor && !surface.diffuse)
+    if (surface.layers.open_below)
         for (const Beam& beam : {light.straight, light.detoured})
             if (sum(beam.energy()) > 0.0)
                 seen.transmission.push_back(transmission_lobe(beam, wo, tables));

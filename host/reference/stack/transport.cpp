@@ -22,7 +22,11 @@ constexpr double kTiny = 1e-12;  // keeps quotients of nothing finite
 using Cosines = decltype(LobeNodes::cosines);
 constexpr double kNodes = std::tuple_size_v<Cosines>;
 
-// Part of the light of a beam: how much, relative to all that set out, and how its mean cosine
+double sine_of(double cosine) {
+    return direction_of(cosine).x;
+}
+
+// Part of the light of a beam: how much, relative to all that set out, and how its mean direction
 // differs from that of all.
 class Part {
  public:
@@ -31,6 +35,7 @@ class Part {
         const double light = glm::dot(share, beam);
         light_ += light;
         cosine_ += light * cosine;
+        sine_ += light * sine_of(cosine);
     }
 
     const Energy& share() const { return share_; }
@@ -44,9 +49,24 @@ class Part {
         return part;
     }
 
+    // The same with a mean whose sine is to the beam's as the mean sines of part and all are, `all`
+    // being the directions of the beam: right also of lobes so wide that their mean cosine says
+    // little of where they point.
+    Beam by_sine(const Beam& beam, const Cosines& all) const {
+        Beam part = beam;
+        part.scale(share_);
+        double sum = 0.0;
+        for (const double cosine : all) sum += sine_of(cosine);
+        if (light_ <= kTiny || sum <= kTiny) return part;
+        const double ratio = sine_ / light_ * kNodes / sum;
+        const double sine = std::min(sine_of(beam.cosine) * ratio, kMostSine);
+        part.cosine = std::sqrt(1.0 - sine * sine);
+        return part;
+    }
+
  private:
     Energy share_{0.0};
-    double light_ = 0.0, cosine_ = 0.0;
+    double light_ = 0.0, cosine_ = 0.0, sine_ = 0.0;
 };
 
 double mean_of(const Cosines& cosines) {
@@ -58,7 +78,7 @@ double mean_of(const Cosines& cosines) {
 // The sine of the refracted mean, of a part of light that is more or less oblique than the beam
 // whose mean is refracted to `refracted_sine`.
 double sine_of_part(double refracted_sine, const Beam& part, const Beam& beam, double eta) {
-    const double step = direction_of(part.cosine).x - direction_of(beam.cosine).x;
+    const double step = sine_of(part.cosine) - sine_of(beam.cosine);
     return std::clamp(refracted_sine + step / eta, 0.0, kMostSine);
 }
 
@@ -181,7 +201,9 @@ class Transport {
         const FacetEffect facets = facet_effect(beam.cosine, interface.alpha, eta);
         const double mean = mean_of(cosines);
         const Beam kept = mirrored(reflected.of(beam, mean), interface.lobe_alpha, facets);
-        Beam passed = bent(refracted.of(beam, mean), beam, interface.lobe_alpha, eta, facets);
+        Beam passed = is_way_out(n, downwards)
+                          ? let_out(refracted.by_sine(beam, cosines), interface, eta)
+                          : bent(refracted.of(beam, mean), beam, interface.lobe_alpha, eta, facets);
         if (all_enters_ && n == 0 && downwards) passed.through.energy = Energy{1.0};
         send_on(n, downwards, kept, passed);
     }
@@ -214,7 +236,7 @@ class Transport {
         part.scale(share);
         const double alpha = alpha_of_spread(lobe.spread, beam.cosine);
         part.for_each_lobe([&](LobeLight& light) { light.reflect(alpha); });
-        const double sine = std::min(direction_of(beam.cosine).x * lobe.sine_ratio, kMostSine);
+        const double sine = std::min(sine_of(beam.cosine) * lobe.sine_ratio, kMostSine);
         part.cosine = std::sqrt(1.0 - sine * sine);
         return part;
     }
@@ -254,6 +276,17 @@ class Transport {
         });
         part.cosine = cosine;
         return part;
+    }
+
+    bool is_way_out(std::size_t n, bool downwards) const {
+        return downwards && n + 1 == count_ && layers_.open_below;
+    }
+
+    // Light that leaves for good: its direction and width are seen, not only what they make of
+    // energies, so that facets are looked at from the mean of the part that passes.
+    static Beam let_out(const Beam& part, const StackInterface& interface, double eta) {
+        return bent(part, part, interface.lobe_alpha, eta,
+                    facet_effect(part.cosine, interface.alpha, eta));
     }
 
     // What is reflected below the top interface has met an interface.
