@@ -78,10 +78,11 @@ TEST(Lobes, QuadratureAndSimulationAgreeOnNarrowOnes) {
 
 TEST(ErrorSizes, TellsTheirDistribution) {
     ErrorSizes errors{"subject", "model"};
-    for (int n = 0; n <= 100; ++n) errors.add(n % 2 == 0 ? n : -n, 0.0, [] { return ""; });
+    for (int n = 1; n <= 100; ++n) errors.add(n % 2 == 0 ? n : -n, 0.0, [] { return ""; });
     EXPECT_EQ(errors.quantile(0.95), 95.0);
     EXPECT_EQ(errors.quantile(1.0), 100.0);
-    EXPECT_EQ(errors.row(), (std::vector<std::string>{"subject", "model", "50.0000", "95.0000",
+    EXPECT_EQ(errors.quantile(0.0), 1.0);
+    EXPECT_EQ(errors.row(), (std::vector<std::string>{"subject", "model", "50.5000", "95.0000",
                                                       "100.0000", "0.0000"}));
     EXPECT_EQ(errors.row().size(), error_columns("what", "model").size());
 }

@@ -16,8 +16,8 @@ double ErrorSizes::quantile(double share) const {
     std::vector<double> sorted;
     for (const double size : sizes_) sorted.push_back(std::abs(size));
     std::ranges::sort(sorted);
-    const auto last = static_cast<double>(sorted.size() - 1);
-    return sorted[static_cast<std::size_t>(share * last)];
+    const double rank = std::ceil(share * static_cast<double>(sorted.size()));
+    return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 
 std::vector<std::string> ErrorSizes::row() const {

@@ -21,7 +21,7 @@ class ErrorSizes {
 
     ModelError result() const { return tally_.result(); }
 
-    // Of |difference|; 0 where there is none.
+    // The least |difference| that so large a share of all does not exceed; 0 where there is none.
     double quantile(double share) const;
 
     // A row of a table with error_columns.

@@ -174,11 +174,9 @@ Figure mixed_facets_figure(const StudyRun& run) {
             "while the energies keep a roughness of their own. A GGX lobe has most of its width in "
             "its tails, so that the ratio of the roughnesses goes from 0.4 to above 1 along the "
             "normal and from 0.4 down to 0.2 at a cosine of 0.2: one number for all angles is a "
-            "compromise, too narrow along the normal from alpha 0.3 on. GGX of alpha: the same "
-            "facets called GGX, as a model of one distribution has them; their tails bring the "
-            "albedo "
-            "of Beckmann metal under GGX coats a little nearer, by chance. Random stacks: {} of "
-            "each "
+            "compromise. Along the normal it is too narrow from alpha 0.3 on, which makes rough "
+            "Beckmann metal under a smooth coat up to 0.06 too bright. GGX of alpha: the same "
+            "facets called GGX, as a model of one distribution has them. Random stacks: {} of each "
             "kind, of one to three coats, as in the figure of that name.",
             kStacks),
         "widths: mean and largest |difference| as a share of the simulated; albedos: absolute"};

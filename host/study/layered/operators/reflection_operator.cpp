@@ -109,9 +109,10 @@ Figure reflection_operator_figure(const StudyRun& run) {
         "= alpha^2 / (1 - alpha^2), 2018 f = alpha^1.1 / (1 - alpha^1.1) (Eqs. 5 and 6), and a "
         "GGX lobe of the roughness of the sum stands for both. For one ray and two reflections "
         "the paper's fit is the nearer one, and of all powers 1.1 is the best; alpha^2 is too "
-        "narrow for middling roughnesses. stack keeps it all the same: in stacks, where "
-        "coefficients are averaged over lobes and widths over paths, it leaves more widths within "
-        "a tenth.",
+        "narrow for middling roughnesses. stack keeps it all the same: on random stacks of one to "
+        "three coats over metals, alpha to 0.6, it leaves 82 to 97 % of the widths within a "
+        "tenth, alpha^1.1 57 to 91 %, since what stack adds up is averaged over lobes and paths "
+        "before and after.",
         "width (standard deviation on the projected disk): mean and largest |difference| as a "
         "share of the simulated"};
     NumberTable table = operator_table();

@@ -8,8 +8,9 @@
 #include "reference/stack/facet_effect.h"
 #include "reference/stack/lobe_width.h"
 #include "reference/stack/published/operators_2018.h"
-#include "study/layered/operators/lobes.h"
+#include "study/layered/operators/lobe_shapes.h"
 #include "study/layered/operators/operator_plot.h"
+#include "study/layered/operators/refracted_lobe.h"
 #include "study/layered/suite.h"
 
 namespace lacquer::study {
@@ -28,27 +29,9 @@ double other(double sine_or_cosine) {
     return std::sqrt(std::max(1.0 - sine_or_cosine * sine_or_cosine, 0.0));
 }
 
-// Of light that crosses one interface.
-struct Refraction {
-    double cosine, alpha, eta;
-};
-
 Spread simulate(const Refraction& at, const StudyRun& run) {
-    const simulator::SurfaceWalk surface = dielectric(at.alpha, at.eta);
     const std::string name = fmt::format("refraction {} {} {}", at.cosine, at.alpha, at.eta);
-    return simulate_spread(run.options(run.share(kDotShare), name),
-                           [&](simulator::RandomStream& random) {
-                               const auto crossing = surface.cross(downwards(at.cosine), random);
-                               return Ray{crossing.direction, crossing.below ? 1.0 : 0.0};
-                           });
-}
-
-double snell(const Refraction& at) {
-    return published::refracted_sine(other(at.cosine), at.eta);
-}
-
-double stack_sine(const Refraction& at) {
-    return reference::facet_effect(at.cosine, at.alpha, at.eta).refracted_sine;
+    return simulate_spread(run.options(run.share(kDotShare), name), RefractedRays{at});
 }
 
 // Its mean, less what Snell's law says of the ray.
@@ -73,39 +56,19 @@ OperatorCheck off_specular_shift(const StudyRun& run) {
              [=, &run](double sine) -> std::optional<Measured> {
                  const Spread spread = simulate(at(sine), run);
                  if (spread.energy < kLeastEnergy) return std::nullopt;
-                 return Measured{spread.mean - snell(at(sine)), spread.mean_error};
+                 return Measured{spread.mean - refracted_sine(at(sine)), spread.mean_error};
              },
-             {{"stack", [=](double sine) { return stack_sine(at(sine)) - snell(at(sine)); }},
+             {{"stack",
+               [=](double sine) {
+                   return stack_refracted_sine(at(sine)) - refracted_sine(at(sine));
+               }},
               {"2018", [](double) { return 0.0; }}}});
     }
     return check;
 }
 
-// Width of the GGX lobe of roughness `scale` alpha at this sine.
-double fake_width(double alpha, double scale, double sine) {
-    return ggx_lobe(scale * alpha, other(std::min(sine, 0.999))).width;
-}
-
-double stack_roughness(const Refraction& at) {
-    return reference::refracted_roughness(at.cosine, other(stack_sine(at)), at.alpha, at.eta).added;
-}
-
-// The fake reflections that stand for refraction.
-std::vector<std::pair<std::string, std::function<Spread(const Refraction&)>>> fake_lobes() {
-    const auto lobe = [](double alpha, double sine) {
-        return ggx_lobe(alpha, other(std::min(sine, 0.999)));
-    };
-    const auto scaled = [=](auto scale) {
-        return [=](const Refraction& at) {
-            return lobe(scale(at.cosine, other(snell(at)), at.eta) * at.alpha, snell(at));
-        };
-    };
-    return {
-        {"stack", [=](const Refraction& at) { return lobe(stack_roughness(at), stack_sine(at)); }},
-        {"2018", scaled(published::refraction_scale)},
-        {"as printed", scaled(published::refraction_scale_as_printed)},
-        {"equal peaks",
-         scaled([](double, double, double eta) { return published::peak_scale(eta); })}};
+double width_of(const FakeLobe& lobe) {
+    return ggx_lobe(lobe.alpha, lobe.cosine()).width;
 }
 
 OperatorCheck transmitted_roughness(const StudyRun& run) {
@@ -129,9 +92,10 @@ OperatorCheck transmitted_roughness(const StudyRun& run) {
                              return Measured{spread.width, spread.width_error};
                          },
                          {}};
-        for (const auto& [name, lobe] : fake_lobes())
-            one.formulas.push_back(
-                {name, [=, lobe = lobe](double alpha) { return lobe(at(alpha)).width; }});
+        for (const FakeLobeModel& model : fake_lobes())
+            one.formulas.push_back({model.name, [=, lobe = model.lobe](double alpha) {
+                                        return width_of(lobe(at(alpha)));
+                                    }});
         check.cases.push_back(std::move(one));
     }
     return check;
@@ -152,7 +116,8 @@ Spread simulate_lobe(const Refraction& at, const StudyRun& run) {
 
 double stack_alpha_after(const Refraction& at) {
     using namespace reference;
-    const double scale = refracted_roughness(at.cosine, other(snell(at)), 0.0, at.eta).scale;
+    const double scale =
+        refracted_roughness(at.cosine, other(refracted_sine(at)), 0.0, at.eta).scale;
     return alpha_of_width(
         width_of_variance(width_of_alpha(scale) * variance_of_width(width_of_alpha(at.alpha))));
 }
@@ -173,7 +138,7 @@ OperatorCheck refracted_lobes(const StudyRun& run) {
             return Refraction{cosine, alpha, eta};
         };
         const auto lobe = [=](double alpha, const Refraction& where) {
-            return fake_width(alpha, 1.0, snell(where));
+            return width_of({alpha, refracted_sine(where)});
         };
         check.cases.push_back(
             {fmt::format("eta {:.3g}, cos_theta {}", eta, cosine),
@@ -209,15 +174,15 @@ Figure refraction_operator_figure(const StudyRun& run) {
         "its convention of signs means; as printed, with a plus, which is some five times too "
         "wide along the normal; equal peaks, the rule of thumb of equating the peaks of both "
         "lobes at normal incidence, after Kulla and Conty 2017, which is Eq. 10 there and too "
-        "narrow at a slant. The width of a lobe "
-        "that crosses smooth facets: Eq. 13 scales its variance by the index of the light's "
-        "medium over the other's (2018), not the inverse (as printed). Both are too wide where a "
-        "wide lobe enters a denser medium: it ends at the critical angle, as no GGX lobe does. On "
-        "its way out the same scale is taken back.",
-        "mean direction: mean and largest |difference|; widths: the same, as a share of the "
-        "simulated"};
+        "narrow at a slant. The width of a lobe that crosses smooth facets: Eq. 13 scales its "
+        "variance by the index of the light's medium over the other's (2018), not the inverse (as "
+        "printed). Both are too wide where a wide lobe enters a denser medium: it ends at the "
+        "critical angle, as no GGX lobe does. On its way out the same scale is taken back.",
+        "mean direction: mean and largest |difference|; shape: total variation distance; widths: "
+        "mean and largest |difference| as a share of the simulated"};
     NumberTable table = operator_table();
     add_check(figure, table, off_specular_shift(run), run);
+    add_lobe_shapes(figure, table, run);
     add_check(figure, table, transmitted_roughness(run), run);
     add_check(figure, table, refracted_lobes(run), run);
     figure.panels.emplace_back(std::move(table));
