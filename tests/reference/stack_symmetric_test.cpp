@@ -126,10 +126,10 @@ glm::dvec3 integral_above(const reference::StackSurface& surface, const glm::dve
 }
 
 // That the lobes integrate to the albedo that the model says, over all kinds of stacks (measured:
-// 0.0034 off in the mean, 0.071 at most; the forward model's 0.0005 and 0.011, whose error is the
+// 0.0026 off in the mean, 0.032 at most; the forward model's 0.0005 and 0.011, whose error is the
 // top interface's).
 TEST(StackSymmetric, LobesIntegrateToTheAlbedo) {
-    constexpr double kMean = 0.004, kMost = 0.08;
+    constexpr double kMean = 0.0035, kMost = 0.045;
     constexpr int kStacks = 100;
     RandomStacks random;
     double mean = 0.0, most = 0.0;
@@ -153,7 +153,7 @@ TEST(StackSymmetric, LobesIntegrateToTheAlbedo) {
 // 1 in turn over a mirror, between which cubics are at their worst. What the model says is exact.
 TEST(StackSymmetric, FiveLayersInAWhiteFurnace) {
     constexpr double kFurnace = 0.003;                      // of the albedo that the model says
-    constexpr double kMostGain = 0.006, kMostLoss = 0.065;  // measured: 0.003 and 0.057
+    constexpr double kMostGain = 0.006, kMostLoss = 0.065;  // measured: 0.003 and 0.058
     for (const double alpha : {0.0, 0.01, 0.1, 0.3, 0.6}) {
         Material material;
         for (int n = 0; n < 5; ++n)

@@ -76,17 +76,15 @@ AlbedoErrors albedo_errors(BaseKind base, int count, std::uint64_t walks) {
     return errors;
 }
 
-// What reciprocity costs at most, in mean error (measured: it costs nothing), and the largest error
-// (measured: 0.037).
-constexpr double kMostGrowth = 0.001, kMaxError = 0.06;
-constexpr double kSureNoises = 5.0;
+// What reciprocity costs at most, in the mean error and in the largest (measured: nothing in
+// either).
+constexpr double kMostGrowth = 0.001, kMostWorse = 0.015;
 
 void expect_albedos(int count, std::uint64_t walks) {
     for (const BaseKind base : {BaseKind::conductor, BaseKind::lambertian, BaseKind::none}) {
         const AlbedoErrors errors = albedo_errors(base, count, walks);
         EXPECT_LE(errors.symmetric.mean(), errors.forward.mean() + kMostGrowth) << name_of(base);
-        EXPECT_LE(errors.symmetric.worst(), kMaxError + kSureNoises * errors.symmetric.noise())
-            << name_of(base);
+        EXPECT_LE(errors.symmetric.worst(), errors.forward.worst() + kMostWorse) << name_of(base);
     }
 }
 
@@ -95,7 +93,7 @@ TEST(StackSymmetricSimulation, Albedo) {
 }
 
 TEST(StackSymmetricSimulationFull, Albedo) {
-    expect_albedos(600, 100'000);
+    expect_albedos(300, 50'000);
 }
 
 // |f(a, b) - f(b, a)| / (f(a, b) + f(b, a)) over random pairs of directions, cos_theta from 0.05.

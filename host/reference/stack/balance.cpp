@@ -15,7 +15,7 @@ namespace {
 // mirrors this one. With 32 times as many, albedos change by 0.0003 in the mean.
 constexpr int kAzimuths = 2, kHeights = 8;
 constexpr int kSteps = 8;  // which find the factor to a percent
-// No factor can be found where all of a lobe points below the surface.
+// No factor can be found where nothing enters, or all of a lobe points below the surface.
 constexpr double kLeast = 0.2, kMost = 5.0;
 constexpr double kTiny = 1e-9;
 
@@ -45,8 +45,9 @@ double wanted(const StackInterface& top, const FittedLobe& lobe, double cosine) 
 // image by normals visible from wo.
 double weight_of(const StackInterface& top, const FittedLobe& lobe, const glm::dvec3& wi,
                  const glm::dvec3& wo) {
-    const double cosine = std::min(cos_theta_halfway(wi, wo), 1.0);
-    return wanted(top, lobe, cosine) * wi.z * reflection_lobe(facets_of(lobe.at(cosine)), wi, wo) /
+    const LobeLight light = lobe.at(std::min(cos_theta_halfway(wi, wo), 1.0));
+    return entering_both_ways(top, wi, wo) * mean_energy(light) * wi.z *
+           reflection_lobe(facets_of(light), wi, wo) /
            reflection_pdf(facets_of(lobe.at(wo.z)), wi, wo);
 }
 
@@ -68,6 +69,11 @@ Values albedo_weights(const StackInterface& top, const FittedLobe& lobe, double 
 }
 
 }  // namespace
+
+double entering_both_ways(const StackInterface& top, const glm::dvec3& wi, const glm::dvec3& wo) {
+    return std::sqrt(top.transmittance(std::min(wi.z, 1.0), true) *
+                     top.transmittance(std::min(wo.z, 1.0), true));
+}
 
 double Balance::at(double cosine) const {
     double value = known.front();

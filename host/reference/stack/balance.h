@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <glm/vec3.hpp>
 
 #include "reference/stack/fitted_light.h"
 
@@ -18,6 +19,10 @@ struct Balance {
     // At `cosine` in [0, 1].
     double at(double cosine) const;
 };
+
+// What the top interface lets in on the way to the lobe and back: the geometric mean of both
+// directions, above the surface.
+double entering_both_ways(const StackInterface& top, const glm::dvec3& wi, const glm::dvec3& wo);
 
 // By light of the mean of the three colours.
 Balance fit_balance(const StackInterface& top, const FittedLobe& lobe);

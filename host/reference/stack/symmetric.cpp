@@ -61,7 +61,7 @@ glm::dvec3 symmetric_value(const SymmetricLight& light, const glm::dvec3& wi,
             lobe->balance.at(std::min(wi.z, 1.0)) * lobe->balance.at(std::min(wo.z, 1.0));
         f += glm::dvec3{here.energy} * (scale * reflection_lobe(facets_of(here), wi, wo));
     }
-    return entering(light.top, cosine) * f;
+    return entering_both_ways(light.top, wi, wo) * f;
 }
 
 }  // namespace lacquer::reference

@@ -1,18 +1,19 @@
 // The symmetric model's lobes of light that was reflected below the top interface: the same when
 // light and viewer change places. For each class of light, of the interfaces and of the conductor,
 //
-//   f(wi, wo) = b(c_i) b(c_o) T(c_d) e(c_d) D(h) G2(wi, wo) / (4 c_i c_o),   alpha = alpha(c_d)
+//   f(wi, wo) = b(c_i) b(c_o) sqrt(T(c_i) T(c_o)) e(c_d) D(h) G2(wi, wo) / (4 c_i c_o)
 //
 // with c_i, c_o and c_d the cosines of wi and wo to the normal and of either to the half vector h;
 // T what the top interface lets in, e what of that comes back, and b the factor of balance.h, by
-// which the lobe's albedo is about T e as in the forward model. e and alpha are cubics (cubic.h),
-// so that a light costs no transport.
+// which the lobe's albedo is about T e as in the forward model. e and the lobe's alpha are cubics
+// (cubic.h) of c_d, so that a light costs no transport.
 //
 // Based on: Belcour 2018, Efficient Rendering of Layered Materials using an Atomic Decomposition
 //           with Statistical Operators, section 6.2
 //
-// Differs: the paper runs the transport at c_d for every pair of directions, and has no b. Without
-// b albedos of coated conductors are 0.013 off in the mean instead of 0.004.
+// Differs: the paper takes T at c_d too, which lets light in beyond critical angles of the top
+// interface; it runs the transport for every pair of directions; and has no b, without which
+// albedos of coated conductors are 0.013 off in the mean instead of 0.004.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -33,7 +34,7 @@ struct SymmetricLight {
     FittedBeam straight, detoured;
 
     // As a viewer at `cosine` in (0, 1] sees it. The lobes' integral is that to 0.003 in the mean
-    // over random stacks, 0.07 at most, where sharp lobes or critical angles lie between the nodes.
+    // over random stacks; to 0.13 near the critical angle of a top interface into a thinner medium.
     StackLight at(double cosine) const;
 };
 
