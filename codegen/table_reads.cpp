@@ -35,11 +35,27 @@ std::size_t reads_of_coated(double eta, int base_lobe) {
     return texels_read;
 }
 
+// Of a conductor's coat; every further layer reads as much as its interface alone.
+std::size_t reads_of_stack() {
+    using namespace shader;
+    LqStackMaterial stack{};
+    stack.layer_count = 1;
+    stack.interfaces[0] = vec4{0.3, 0.3, 1.5, LQ_NDF_GGX};
+    stack.base = LQ_STACK_BASE_CONDUCTOR;
+    stack.facets = LqFacets{LQ_NDF_GGX, 0.3, 0.3};
+    stack.eta = vec3{0.2, 0.9, 1.1};
+    stack.kappa = vec3{3.9, 2.5, 2.1};
+    texels_read = 0;
+    lq_stack_prepare(stack);
+    return texels_read;
+}
+
 }  // namespace
 
 // The tables of either side of eta 1 differ in size.
 std::size_t table_reads(const Level& level) {
     if (!level.reads_tables) return 0;
+    if (level.name == "stack") return reads_of_stack();
     std::size_t most = 0;
     for (const double eta : {0.7, 1.5})
         for (const int base_lobe : {shader::LQ_BASE_LOBE_EXACT, shader::LQ_BASE_LOBE_GGX})

@@ -22,6 +22,8 @@ constexpr std::array kLevels{
           "OpenPBR's coat: the base made rougher, darker and attenuated by it"},
     Level{"coated", "coated/coated.glsl", "LQ_MODEL_COATED",
           "a rough dielectric coat over a Lambertian base, with all light between them", true},
+    Level{"stack", "stack/stack.glsl", "LQ_MODEL_STACK",
+          "any number of rough layers over any base, with all light between them", true},
 };
 
 struct StageEntry {

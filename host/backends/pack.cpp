@@ -2,6 +2,7 @@
 
 #include "backends/pack_coated.h"
 #include "backends/pack_one_coat.h"
+#include "backends/pack_stack.h"
 
 namespace lacquer {
 
@@ -15,6 +16,8 @@ std::size_t surface_rows(Model model) {
         case Model::coated_ggx:
         case Model::coated_exact:
             return kCoatedRows;
+        case Model::stack:
+            return kStackRows;
     }
     return 0;
 }
@@ -35,6 +38,11 @@ std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> mate
             case Model::coated_ggx:
             case Model::coated_exact: {
                 const auto packed = pack_coated(material, model);
+                rows.insert(rows.end(), packed.begin(), packed.end());
+                break;
+            }
+            case Model::stack: {
+                const auto packed = pack_stack(material, model);
                 rows.insert(rows.end(), packed.begin(), packed.end());
             }
         }

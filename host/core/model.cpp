@@ -26,6 +26,7 @@ constexpr std::array kEntries{
     ModelEntry{Model::openpbr_coat, "openpbr-coat", "openpbr_coat"},
     ModelEntry{Model::coated_ggx, "coated-ggx", "coated", true},
     ModelEntry{Model::coated_exact, "coated-exact", "coated", true},
+    ModelEntry{Model::stack, "stack", "stack", true},
 };
 
 constexpr auto kModels = [] {

@@ -13,6 +13,7 @@ enum class Model {
     openpbr_coat,     // OpenPBR's: the base made rougher, darker and attenuated by the coat
     coated_ggx,       // all light between coat and base; the base's leaves as a GGX lobe
     coated_exact,     // the same; the base's leaves as it is
+    stack,            // any number of layers over any base, with all light between them
 };
 
 // The name on the command line, in JSON and in file names of shader variants.

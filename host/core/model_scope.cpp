@@ -13,12 +13,13 @@ namespace {
 
 // A feature of a material that a model has no formula for is either left out, as the model's
 // description says, or refused.
-enum class Extra { left_out, refused };
+enum class Extra { shaded, left_out, refused };
 
 struct Scope {
     Extra deeper_layers;  // those below the first
     Extra scattering;
     bool lambertian_only = false;  // a coat over a Lambertian base, and nothing else
+    bool whole_stacks = false;     // at least one layer, and bases as they are
 };
 
 Scope scope_of(Model model) {
@@ -32,12 +33,14 @@ Scope scope_of(Model model) {
         case Model::coated_ggx:
         case Model::coated_exact:
             return {Extra::refused, Extra::refused, true};
+        case Model::stack:
+            return {Extra::shaded, Extra::shaded, false, true};
     }
     return {Extra::refused, Extra::refused};
 }
 
 struct Refusal {
-    std::string_view pointer;
+    std::string pointer;
     std::string_view why;
 };
 
@@ -53,16 +56,30 @@ bool is_blend(const Roughness& roughness) {
 
 constexpr std::string_view kNoBlend = "cannot shade a blended microsurface";
 
+// The most layers that shaders are compiled for: LQ_MAX_LAYERS.
+constexpr std::size_t kMaxLayers = 8;
+
+std::optional<Refusal> refused_layer(const Layer& layer, const std::string& pointer,
+                                     const Scope& scope) {
+    if (is_blend(layer.interface.roughness)) return Refusal{pointer + "/interface/blend", kNoBlend};
+    if (scope.scattering == Extra::refused && scatters(layer.medium))
+        return Refusal{pointer + "/medium/sigma_s", "cannot shade a medium that scatters"};
+    return std::nullopt;
+}
+
 std::optional<Refusal> refused_layers(const std::vector<Layer>& layers, const Scope& scope) {
     if (layers.empty() && scope.lambertian_only)
         return Refusal{"/layers", "shades one layer over a Lambertian base, and there is none"};
-    if (layers.empty()) return std::nullopt;
+    if (layers.empty() && scope.whole_stacks)
+        return Refusal{"/layers", "shades layers over a base, and there is none"};
+    if (scope.whole_stacks && layers.size() > kMaxLayers)
+        return Refusal{"/layers/8", "shades at most 8 layers"};
     if (scope.deeper_layers == Extra::refused && layers.size() > 1)
         return Refusal{"/layers/1", "shades at most one layer"};
-    if (is_blend(layers[0].interface.roughness))
-        return Refusal{"/layers/0/interface/blend", kNoBlend};
-    if (scope.scattering == Extra::refused && scatters(layers[0].medium))
-        return Refusal{"/layers/0/medium/sigma_s", "cannot shade a medium that scatters"};
+    const std::size_t shaded = scope.whole_stacks ? layers.size() : 1;
+    for (std::size_t n = 0; n < std::min(shaded, layers.size()); ++n)
+        if (auto refusal = refused_layer(layers[n], fmt::format("/layers/{}", n), scope))
+            return refusal;
     return std::nullopt;
 }
 
@@ -70,6 +87,8 @@ std::optional<Refusal> refused_base(const Base& base, const Scope& scope) {
     if (scope.lambertian_only && !std::holds_alternative<LambertianBase>(base))
         return Refusal{"/base", "shades Lambertian bases only"};
     const auto* diffuse = std::get_if<DiffuseFacetsBase>(&base);
+    if (diffuse != nullptr && scope.whole_stacks)
+        return Refusal{"/base/diffuse_facets", "cannot shade diffuse facets"};
     if (diffuse != nullptr && is_blend(diffuse->roughness))
         return Refusal{"/base/diffuse_facets/blend", kNoBlend};
     const auto* conductor = std::get_if<ConductorBase>(&base);

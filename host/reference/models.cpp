@@ -7,6 +7,7 @@
 #include "reference/coated.h"
 #include "reference/openpbr_coat.h"
 #include "reference/plain.h"
+#include "reference/stack/stack.h"
 #include "reference/weidlich_wilkie.h"
 
 namespace lacquer::reference {
@@ -59,6 +60,8 @@ std::shared_ptr<const Shading> prepare(const Material& material, Model model) {
             return shading(prepare_coated(material, shipped_tables(), BaseLobe::ggx));
         case Model::coated_exact:
             return shading(prepare_coated(material, shipped_tables(), BaseLobe::exact));
+        case Model::stack:
+            return shading(prepare_stack(material, shipped_tables()));
     }
     return nullptr;
 }

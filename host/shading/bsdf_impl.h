@@ -6,6 +6,7 @@
 
 #include "lacquer/bsdf.h"
 #include "shading/one_coat_parameters.h"
+#include "shading/stack_parameters.h"
 
 namespace lacquer {
 
@@ -133,8 +134,39 @@ struct CoatedFunctions : Functions<shader::lq_coated_eval, shader::lq_coated_eva
     static constexpr auto view_eval_cos = shader::lq_coated_view_eval_cos;
 };
 
+shader::LqStackMaterial to_stack(const StackParameters& parameters) {
+    shader::LqStackMaterial stack{};
+    stack.layer_count = static_cast<int>(parameters.layers.size());
+    for (std::size_t n = 0; n < parameters.layers.size(); ++n) {
+        const StackParameters::Layer& layer = parameters.layers[n];
+        const shader::LqFacets facets = to_facets(layer.microsurface);
+        stack.interfaces[n] = {facets.alpha_x, facets.alpha_y, static_cast<Real>(layer.index),
+                               static_cast<Real>(facets.ndf)};
+        stack.absorption[n] = {to_vector(layer.absorption), static_cast<Real>(layer.g)};
+        stack.scattering[n] = {to_vector(layer.scattering), Real{0}};
+    }
+    stack.base = static_cast<int>(parameters.base_kind);
+    stack.albedo = to_vector(parameters.albedo);
+    stack.facets = to_facets(parameters.base_facets);
+    stack.eta = to_vector(parameters.eta);
+    stack.kappa = to_vector(parameters.kappa);
+    return stack;
+}
+
+shader::LqAlbedo stack_albedo(const shader::LqStackSurface& surface, const shader::vec3& wo, int) {
+    return shader::lq_stack_albedo(surface, wo);
+}
+
+struct StackFunctions : Functions<shader::lq_stack_eval, shader::lq_stack_eval_cos,
+                                  shader::lq_stack_pdf, shader::lq_stack_sample, stack_albedo> {
+    static constexpr auto view = shader::lq_stack_view;
+    static constexpr auto view_eval_cos = shader::lq_stack_view_eval_cos;
+};
+
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {
     using namespace shader;
+    if (model == Model::stack)
+        return level<StackFunctions>(lq_stack_prepare(to_stack(stack_parameters(material, model))));
     const OneCoatParameters parameters = one_coat_parameters(material, model);
     const LqOneCoat surface = to_one_coat(parameters);
     switch (model) {
@@ -158,6 +190,8 @@ std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, 
         case Model::coated_exact:
             return level<CoatedFunctions>(lq_coated_prepare(to_coated(
                 parameters, model == Model::coated_ggx ? LQ_BASE_LOBE_GGX : LQ_BASE_LOBE_EXACT)));
+        case Model::stack:
+            break;
     }
     return nullptr;
 }

@@ -3,28 +3,9 @@
 #include <cmath>
 
 #include "core/model_scope.h"
+#include "shading/optical_depth.h"
 
 namespace lacquer {
-
-namespace {
-
-Rgb relative(Rgb index, double exterior_ior) {
-    for (double& channel : index) channel /= exterior_ior;
-    return index;
-}
-
-Rgb optical_depth_of(const Medium& medium) {
-    Rgb depth{};
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        if (const auto* absorbing = std::get_if<AbsorbingMedium>(&medium))
-            depth[i] = -std::log(absorbing->tau[i]);
-        else if (const auto* scattering = std::get_if<ScatteringMedium>(&medium))
-            depth[i] = scattering->sigma_a[i] * scattering->thickness;
-    }
-    return depth;
-}
-
-}  // namespace
 
 Rgb transmittance(const OneCoatParameters& parameters) {
     Rgb tau = parameters.optical_depth;
@@ -39,7 +20,7 @@ OneCoatParameters one_coat_parameters(const Material& material, Model model) {
         const Layer& top = material.layers.front();
         parameters.coat = std::get<Microsurface>(top.interface.roughness);
         parameters.coat_eta = top.interface.ior / material.exterior_ior;
-        parameters.optical_depth = optical_depth_of(top.medium);
+        parameters.optical_depth = optical_depth(top.medium);
     }
     if (const auto* lambertian = std::get_if<LambertianBase>(&material.base)) {
         parameters.base_kind = OneCoatParameters::BaseKind::lambertian;
@@ -50,8 +31,8 @@ OneCoatParameters one_coat_parameters(const Material& material, Model model) {
     } else if (const auto* conductor = std::get_if<ConductorBase>(&material.base)) {
         parameters.base_kind = OneCoatParameters::BaseKind::conductor;
         parameters.base_facets = std::get<Microsurface>(conductor->roughness);
-        parameters.eta = relative(conductor->eta, material.exterior_ior);
-        parameters.kappa = relative(conductor->kappa, material.exterior_ior);
+        parameters.eta = relative_index(conductor->eta, material.exterior_ior);
+        parameters.kappa = relative_index(conductor->kappa, material.exterior_ior);
     }
     return parameters;
 }

@@ -12,7 +12,7 @@
 
 namespace lacquer::viewer {
 
-inline constexpr std::size_t kSurfaceRows = 6;  // as many as any model needs
+inline constexpr std::size_t kSurfaceRows = 27;  // as many as any model needs
 inline constexpr std::size_t kMaxLights = 4;
 
 // LqSphereView of shader_src/viewer/view.glsl, byte for byte (std140).
@@ -25,7 +25,7 @@ struct SphereView {
     float pixel = 0.0f;
     std::uint32_t light_count = 0;
 };
-static_assert(sizeof(SphereView) == 256);
+static_assert(sizeof(SphereView) == 592);
 
 struct Scene {
     Model model = Model::plain;

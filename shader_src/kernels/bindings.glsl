@@ -27,7 +27,7 @@ layout(set = 0, binding = 3, std430) buffer LqResults {
     vec4 rows[];
 } results;
 
-#ifdef LQ_MODEL_COATED  // of all levels so far, this one reads tables
+#if defined(LQ_MODEL_COATED) || defined(LQ_MODEL_STACK)  // of all levels, these read tables
 // The baked tables (shader_src/tables/texels.glsl).
 layout(set = 0, binding = 4, std430) readonly buffer LqTables {
     uvec4 texels[];

@@ -2,6 +2,9 @@
 #ifdef LQ_MODEL_COATED
 #include "model_coated.glsl"
 #endif
+#ifdef LQ_MODEL_STACK
+#include "model_stack.glsl"
+#endif
 #ifdef LQ_MODEL_PLAIN
 #include "model_plain.glsl"
 #endif

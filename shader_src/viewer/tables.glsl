@@ -5,7 +5,7 @@
 
 #include "../tables/texels.glsl"
 
-#ifdef LQ_MODEL_COATED  // of all levels so far, this one reads tables
+#if defined(LQ_MODEL_COATED) || defined(LQ_MODEL_STACK)  // of all levels, these read tables
 layout(set = 0, binding = 1) uniform utexture2D tables;
 
 uvec4 lq_table_texel(const int index) {

@@ -29,7 +29,39 @@ const PICTURES = [
     ["amber_varnish", "coated-exact", FROM_BEHIND],
     ["air_film_underwater", "coated-exact", FROM_THE_LEFT],
     ["porcelain", "coated-ggx", FROM_THE_LEFT],
+    ["two_tone_car_paint", "stack", FROM_THE_LEFT],
+    ["lacquered_copper", "stack", FROM_THE_LEFT],
+    ["frosted_metal", "stack", FROM_BEHIND],
+    ["tinted_glass", "stack", FROM_THE_LEFT],
+    ["frosted_glass", "stack", FROM_BEHIND],
+    ["air_film_underwater", "stack", FROM_THE_LEFT],
+    ["varnished_wood", "stack", FROM_BEHIND],
+    ["five_layer_furnace", "stack", FROM_THE_LEFT],
 ];
+
+// What the page says instead of shading, as the C++ side does.
+const UNSHADEABLE = [
+    [
+        "gold",
+        "coated-exact",
+        "satin gold: /layers: the model 'coated-exact' shades one layer over a Lambertian base, " +
+            "and there is none.",
+    ],
+    [
+        "gold",
+        "stack",
+        "satin gold: /layers: the model 'stack' shades layers over a base, and there is none.",
+    ],
+    [
+        "pearl_over_gold",
+        "stack",
+        "pearl over gold: /layers/0/medium/sigma_s: the model 'stack' cannot shade a medium that " +
+            "scatters.",
+    ],
+];
+
+const DESKTOP = { width: 1280, height: 800 };
+const SMALL = { width: 960, height: 480 }; // for shaders that take a processor's time
 
 const server = await servePage(LACQUER_PAGE);
 after(() => server.close());
@@ -46,6 +78,12 @@ async function openPage(browser, query, viewport) {
     const page = await browser.newPage({ viewport, deviceScaleFactor: 1 });
     await load(page, query);
     return page;
+}
+
+// Opens `material` as a file of that name.
+async function openMaterial(page, name, material) {
+    const buffer = Buffer.from(JSON.stringify(material));
+    await page.locator("#open").setInputFiles({ name, mimeType: "application/json", buffer });
 }
 
 // The reference's picture of `material`.
@@ -106,7 +144,7 @@ describe("with WebGPU", () => {
     });
 
     test("choosing a material shows it and its numbers", async () => {
-        const page = await openPage(browser, "?material=gold", { width: 1280, height: 800 });
+        const page = await openPage(browser, "?material=gold", DESKTOP);
         await page.getByRole("button", { name: "copper" }).first().click();
         assert.match(await page.locator("#material-name").innerText(), /copper/i);
         assert.match(await page.locator("#controls").innerText(), /kappa g/);
@@ -114,10 +152,7 @@ describe("with WebGPU", () => {
     });
 
     test("the models offered are those that can shade the material", async () => {
-        const page = await openPage(browser, "?material=celadon&model=plain", {
-            width: 1280,
-            height: 800,
-        });
+        const page = await openPage(browser, "?material=celadon&model=plain", DESKTOP);
         const models = page.locator("#controls select").first();
         const offered = () => models.locator("option").allInnerTexts();
         assert.ok((await offered()).includes("coated-exact"));
@@ -129,25 +164,56 @@ describe("with WebGPU", () => {
         await page.close();
     });
 
-    test("a model in the address that cannot shade the material is a clear message", async () => {
-        const page = await browser.newPage();
-        await page.goto(`${server.address}?material=gold&model=coated-exact`);
-        const message = page.locator("#failure-message:not(:empty)");
-        await message.waitFor();
-        assert.match(await message.innerText(), /gold: the model 'coated-exact' shades one layer/);
+    for (const [material, model, message] of UNSHADEABLE) {
+        test(`${model} cannot shade ${material}: a clear message`, async () => {
+            const page = await browser.newPage();
+            await page.goto(`${server.address}?material=${material}&model=${model}`);
+            const shown = page.locator("#failure-message:not(:empty)");
+            await shown.waitFor();
+            assert.equal(await shown.innerText(), message);
+            await page.close();
+        });
+    }
+
+    test("layers that the wanted model cannot shade are shaded as a stack", async () => {
+        const page = await openPage(browser, "?material=two_tone_car_paint", SMALL);
+        assert.equal(await page.locator("#controls select").first().inputValue(), "stack");
+        assert.equal(await page.locator("#notice").innerText(), "");
+        await page.close();
+    });
+
+    test("diffuse facets are left out by the models that are offered", async () => {
+        const page = await openPage(browser, "", DESKTOP);
+        await openMaterial(page, "facets.json", {
+            layers: [{ interface: { ior: 1.5, alpha: 0.1 } }],
+            base: { diffuse_facets: { albedo: [0.5, 0.5, 0.5], alpha: 0.3 } },
+        });
+        const notice = page.locator("#notice:not(:empty)");
+        await notice.waitFor();
+        assert.match(await notice.innerText(), /“plain” leaves out the roughness of the base/);
+        const offered = await page.locator("#controls select").first().innerText();
+        assert.ok(!offered.includes("stack"), offered);
+        await page.close();
+    });
+
+    test("the index of a layer keeps the neighbours' within the ratios of the format", async () => {
+        const page = await openPage(browser, "?material=wet_clay&model=plain", DESKTOP);
+        await page.getByText("Layer 2").click();
+        const index = page.locator("#controls .tp-lblv", { hasText: /^ior$/ }).locator("input");
+        assert.equal(await index.count(), 2);
+        await index.first().fill("3");
+        await index.first().press("Enter");
+        await index.last().fill("0.5");
+        await index.last().press("Enter");
+        assert.equal(await index.last().inputValue(), "1.000");
         await page.close();
     });
 
     test("a material file with an error is named, and the page goes on", async () => {
-        const page = await openPage(browser, "", { width: 1280, height: 800 });
-        const text = JSON.stringify({
+        const page = await openPage(browser, "", DESKTOP);
+        await openMaterial(page, "bad.json", {
             layers: [{ interface: { ior: 9, alpha: 0.1 } }],
             base: { lambertian: { albedo: [0.5, 0.5, 0.5] } },
-        });
-        await page.locator("#open").setInputFiles({
-            name: "bad.json",
-            mimeType: "application/json",
-            buffer: Buffer.from(text),
         });
         const notice = page.locator("#notice:not(:empty)");
         await notice.waitFor();
@@ -168,7 +234,8 @@ describe("with WebGPU", () => {
     });
 
     test("the page fits a desktop and a phone", async () => {
-        const desktop = await openPage(browser, "", { width: 1280, height: 800 });
+        const desktop = await openPage(browser, "", DESKTOP);
+        await desktop.waitForSelector("#swatches[data-drawn]");
         writeFileSync(LACQUER_SCREENSHOT, await desktop.screenshot());
         await desktop.close();
         const phone = await openPage(browser, "", { width: 390, height: 844 });

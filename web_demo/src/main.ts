@@ -8,8 +8,9 @@ import { bundledMaterial, bundledNames, metals } from "./material/bundled";
 import type { Material } from "./material/material";
 import { parseMaterial } from "./material/parse";
 import { MaterialError } from "./material/place";
-import { type ModelName, modelFor, omittedBy, whyNotShadeable } from "./material/models";
-import { SphereViewPipelines } from "./passes/sphere_view";
+import { type ModelName, modelFor, omittedBy } from "./material/models";
+import { whyNotShadeable } from "./material/scope";
+import { type SphereView, SphereViewPipelines } from "./passes/sphere_view";
 import { DEFAULT_IRRADIANCE, DEFAULT_LIGHT, type Scene, sphereView } from "./scene";
 import { SphereCanvas } from "./sphere_canvas";
 import { showControls } from "./ui/controls";
@@ -29,7 +30,7 @@ function sceneOf(address: Address): Scene {
     const material = bundledMaterial(address.material ?? DEFAULT_MATERIAL);
     const why = address.model && whyNotShadeable(material, address.model);
     if (why !== undefined) {
-        fail(`${material.name}: the model '${address.model}' ${why}.`);
+        fail(`${material.name}: ${why}.`);
     }
     return {
         material,
@@ -56,6 +57,18 @@ function drawOnDemand(pipelines: SphereViewPipelines, scene: Scene, halfExtent: 
             document.body.dataset["drawn"] = "true"; // what the tests wait for
         });
     };
+}
+
+// One after the other, so that the stage need not wait for all of them.
+async function drawSwatches(
+    pipelines: SphereViewPipelines,
+    views: Map<HTMLCanvasElement, SphereView>,
+): Promise<void> {
+    for (const [small, view] of views) {
+        await new SphereCanvas(pipelines, small).draw(view);
+        await pipelines.device.queue.onSubmittedWorkDone();
+    }
+    swatches.dataset["drawn"] = "true"; // what the tests wait for
 }
 
 function describe({ material, model: wanted }: Scene): void {
@@ -85,6 +98,7 @@ function showInterface(
         });
         redraw();
     };
+    const views = new Map<HTMLCanvasElement, SphereView>();
     for (const name of bundledNames) {
         const material = bundledMaterial(name);
         const { button, canvas: small } = addSwatch(swatches, material.name, () => {
@@ -92,7 +106,7 @@ function showInterface(
             show(bundledMaterial(name));
         });
         const view = sphereView({ ...scene, material, light: DEFAULT_LIGHT }, SWATCH_HALF_EXTENT);
-        void new SphereCanvas(pipelines, small).draw(view);
+        views.set(small, view);
         if (name === chosen) {
             markChosen(swatches, button);
         }
@@ -113,6 +127,7 @@ function showInterface(
         redraw();
     });
     show(scene.material);
+    void drawSwatches(pipelines, views);
 }
 
 async function start(): Promise<void> {

@@ -6,7 +6,7 @@ import type { Light, SphereView } from "./passes/sphere_view";
 
 export interface Scene {
     material: Material;
-    model: ModelName; // for materials that it can shade; "plain" for the others
+    model: ModelName; // for materials that it can shade; modelFor chooses for the others
     light: Vec3; // unit, towards the light
     irradiance: number;
     // Two dim lights from behind trace the sphere's outline.

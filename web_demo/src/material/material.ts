@@ -1,4 +1,4 @@
-// What the models shade of a material: its top layer and its base.
+// A layered material as its file describes it.
 
 export type Rgb = [number, number, number];
 
@@ -11,11 +11,22 @@ export interface Microsurface {
     alpha: [number, number];
 }
 
-// `tau` is the transmittance along the normal.
-export interface Medium {
+// Of unit thickness; `tau` is the transmittance along the normal.
+export interface AbsorbingMedium {
+    kind: "absorbing";
     tau: Rgb;
-    scatters: boolean;
 }
+
+// Coefficients per unit of thickness; `g` is the mean cosine of the phase function.
+export interface ScatteringMedium {
+    kind: "scattering";
+    sigmaA: Rgb;
+    sigmaS: Rgb;
+    g: number;
+    thickness: number;
+}
+
+export type Medium = AbsorbingMedium | ScatteringMedium;
 
 // `ior` is the absolute index of the medium below.
 export interface Layer {
@@ -37,17 +48,23 @@ export interface ConductorBase {
     microsurface: Microsurface;
 }
 
+// Rough, of diffuse facets.
+export interface DiffuseFacetsBase {
+    kind: "diffuse-facets";
+    albedo: Rgb;
+    microsurface: Microsurface;
+}
+
+// Light passes on below the last layer.
 export interface NoBase {
     kind: "none";
 }
 
+export type Base = LambertianBase | ConductorBase | DiffuseFacetsBase | NoBase;
+
 export interface Material {
     name: string;
     exteriorIor: number;
-    coat?: Layer;
-    base: LambertianBase | ConductorBase | NoBase;
-    // What the file describes beyond that.
-    layerCount: number;
-    hasMedium: boolean; // in any layer
-    hasDiffuseFacets: boolean; // a base that is not quite Lambertian
+    layers: Layer[]; // top to bottom
+    base: Base;
 }

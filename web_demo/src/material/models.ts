@@ -1,7 +1,9 @@
-// The models that the page can shade with: which shaders, which materials, which rows. The C++ side
-// of it is host/core/model_scope.cpp and host/backends/pack*.cpp.
+// The models that the page can shade with: which shaders, which rows, what they leave out. The C++
+// side of it is host/core/model.cpp and host/backends/pack*.cpp.
 import type { Material } from "./material";
-import { packCoated, packOneCoat, type Row } from "./pack";
+import { isClear } from "./medium";
+import { packCoated, packOneCoat, packStack, type Row } from "./pack";
+import { whyNotShadeable } from "./scope";
 
 export const MODEL_NAMES = [
     "plain",
@@ -10,6 +12,7 @@ export const MODEL_NAMES = [
     "openpbr-coat",
     "coated-ggx",
     "coated-exact",
+    "stack",
 ] as const;
 
 export type ModelName = (typeof MODEL_NAMES)[number];
@@ -23,49 +26,31 @@ function isCoated(model: ModelName): boolean {
     return model === "coated-ggx" || model === "coated-exact";
 }
 
-// Why `model` cannot shade `material`; undefined where it can.
-export function whyNotShadeable(material: Material, model: ModelName): string | undefined {
-    const { coat, base, layerCount, hasDiffuseFacets } = material;
-    if (model === "plain") {
-        return undefined;
-    }
-    if (isCoated(model) && coat === undefined) {
-        return "shades one layer over a Lambertian base, and there is none";
-    }
-    if (layerCount > 1) {
-        return "shades at most one layer";
-    }
-    if (coat?.medium.scatters) {
-        return "cannot shade a medium that scatters";
-    }
-    if (isCoated(model) && (base.kind !== "lambertian" || hasDiffuseFacets)) {
-        return "shades Lambertian bases only";
-    }
-    return undefined;
-}
-
 export function modelsFor(material: Material): ModelName[] {
     return MODEL_NAMES.filter((model) => whyNotShadeable(material, model) === undefined);
 }
 
-// `wanted` where it can shade `material`, otherwise "plain".
+// `wanted` where it can shade `material`; otherwise "stack", which leaves nothing out, or "plain",
+// which can shade anything.
 export function modelFor(material: Material, wanted: ModelName): ModelName {
-    return whyNotShadeable(material, wanted) === undefined ? wanted : "plain";
+    const models = modelsFor(material);
+    return [wanted, "stack" as const].find((model) => models.includes(model)) ?? "plain";
 }
 
 // What the file describes and `model` leaves out, in words.
-export function omittedBy(material: Material, model: ModelName): string[] {
+export function omittedBy({ layers, base }: Material, model: ModelName): string[] {
     const omitted: string[] = [];
-    if (material.layerCount > 1) {
+    const hasMedium = layers.some(({ medium }) => !isClear(medium));
+    if (model !== "stack" && layers.length > 1) {
         omitted.push("the lower layers");
     }
-    if (model === "plain" && material.hasMedium) {
+    if (model === "plain" && hasMedium) {
         omitted.push("what the layers absorb and scatter");
     }
-    if (model === "clearcoat" && material.hasMedium) {
+    if (model === "clearcoat" && hasMedium) {
         omitted.push("what the layer absorbs");
     }
-    if (material.hasDiffuseFacets) {
+    if (base.kind === "diffuse-facets") {
         omitted.push("the roughness of the base");
     }
     return omitted;
@@ -73,5 +58,8 @@ export function omittedBy(material: Material, model: ModelName): string[] {
 
 // The rows of four numbers that the shaders of `model` read.
 export function packSurface(material: Material, model: ModelName): Row[] {
+    if (model === "stack") {
+        return packStack(material);
+    }
     return isCoated(model) ? packCoated(material, model === "coated-ggx") : packOneCoat(material);
 }

@@ -1,5 +1,14 @@
-// Reads material files, as far as the models of one coat shade them: by the rules of the C++ loader.
-import type { ConductorBase, Layer, Material, Medium, Microsurface, Rgb } from "./material";
+// Reads material files by the rules of the C++ loader, but for textures and blended microsurfaces.
+import type {
+    Base,
+    ConductorBase,
+    DiffuseFacetsBase,
+    Layer,
+    Material,
+    Medium,
+    Microsurface,
+    Rgb,
+} from "./material";
 import { MaterialError, Place } from "./place";
 import {
     ALBEDO,
@@ -8,7 +17,7 @@ import {
     CONDUCTOR_ETA,
     CONDUCTOR_KAPPA,
     IOR,
-    iorBelow,
+    iorBeside,
     MAX_LAYERS,
     SIGMA,
     TAU,
@@ -50,7 +59,7 @@ function readInterface(place: Place, iorAbove: number): Omit<Layer, "medium"> {
     place.expectObject("ior", "alpha", "ndf", "blend");
     const ior = place.member("ior");
     const value = ior.number(IOR);
-    const { low, high } = iorBelow(iorAbove);
+    const { low, high } = iorBeside(iorAbove);
     if (value < low || value > high) {
         ior.fail(`${value} below ${iorAbove} is a ratio outside [1/3, 3]`);
     }
@@ -58,11 +67,7 @@ function readInterface(place: Place, iorAbove: number): Omit<Layer, "medium"> {
 }
 
 function noMedium(): Medium {
-    return { tau: [1, 1, 1], scatters: false };
-}
-
-function absorbsOrScatters({ medium }: Layer): boolean {
-    return medium.scatters || medium.tau.some((tau) => tau < 1);
+    return { kind: "absorbing", tau: [1, 1, 1] };
 }
 
 function readMedium(place: Place): Medium {
@@ -74,19 +79,19 @@ function readMedium(place: Place): Medium {
         if (other !== undefined) {
             place.member(other).fail(`'${other}' and 'tau' exclude each other: give one`);
         }
-        return { tau: tau.rgb(TAU), scatters: false };
+        return { kind: "absorbing", tau: tau.rgb(TAU) };
     }
     const sigmaA = place.find("sigma_a")?.rgb(SIGMA);
     const sigmaS = place.find("sigma_s")?.rgb(SIGMA);
     if (sigmaA === undefined && sigmaS === undefined) {
         place.fail("one of 'tau', 'sigma_a' and 'sigma_s' is needed");
     }
-    place.find("g")?.number(ANISOTROPY);
-    const thickness = place.find("thickness")?.number(THICKNESS) ?? 1;
-    const [r, g, b] = sigmaA ?? [0, 0, 0];
     return {
-        tau: [Math.exp(-r * thickness), Math.exp(-g * thickness), Math.exp(-b * thickness)],
-        scatters: (sigmaS ?? []).some((sigma) => sigma > 0),
+        kind: "scattering",
+        sigmaA: sigmaA ?? [0, 0, 0],
+        sigmaS: sigmaS ?? [0, 0, 0],
+        g: place.find("g")?.number(ANISOTROPY) ?? 0,
+        thickness: place.find("thickness")?.number(THICKNESS) ?? 1,
     };
 }
 
@@ -108,7 +113,13 @@ function readConductor(place: Place, metals: Metals): ConductorBase {
     return { kind: "conductor", eta, kappa, microsurface };
 }
 
-function readBase(place: Place, metals: Metals): Material["base"] {
+function readDiffuseFacets(place: Place): DiffuseFacetsBase {
+    place.expectObject("albedo", "alpha", "ndf", "blend");
+    const microsurface = readMicrosurface(place);
+    return { kind: "diffuse-facets", albedo: place.member("albedo").rgb(ALBEDO), microsurface };
+}
+
+function readBase(place: Place, metals: Metals): Base {
     if (place.isString()) {
         return { kind: place.choice("none") };
     }
@@ -119,7 +130,7 @@ function readBase(place: Place, metals: Metals): Material["base"] {
     }
     const facets = place.find("diffuse_facets");
     if (facets !== undefined) {
-        return { kind: "lambertian", albedo: facets.member("albedo").rgb(ALBEDO) };
+        return readDiffuseFacets(facets);
     }
     const lambertian = place.member("lambertian");
     lambertian.expectObject("albedo");
@@ -141,10 +152,6 @@ function readLayers(place: Place, exteriorIor: number): Layer[] {
     });
 }
 
-function isDiffuse(base: Place): boolean {
-    return !base.isString() && base.find("diffuse_facets") !== undefined;
-}
-
 // The material that `text` describes; `origin` names it in messages, and where it has no name.
 export function parseMaterial(text: string, origin: string, metals: Metals): Material {
     const root = parseJson(text, origin);
@@ -152,21 +159,12 @@ export function parseMaterial(text: string, origin: string, metals: Metals): Mat
     const exteriorIor = root.find("exterior_ior")?.number(IOR) ?? 1;
     const list = root.find("layers");
     const layers = list === undefined ? [] : readLayers(list, exteriorIor);
-    const [coat] = layers;
     const base = readBase(root.member("base"), metals);
-    if (coat === undefined && base.kind === "none") {
+    if (layers.length === 0 && base.kind === "none") {
         root.member("base").fail('"none" without layers leaves nothing to shade');
     }
     const name = root.find("name")?.string() ?? origin;
-    return {
-        name,
-        exteriorIor,
-        ...(coat && { coat }),
-        base,
-        layerCount: layers.length,
-        hasMedium: layers.some(absorbsOrScatters),
-        hasDiffuseFacets: isDiffuse(root.member("base")),
-    };
+    return { name, exteriorIor, layers, base };
 }
 
 // The table of refractive indices, tables/optical_constants.json.

@@ -17,10 +17,10 @@ export const CONDUCTOR_ETA: Range = { low: 0, high: 5 };
 export const CONDUCTOR_KAPPA: Range = { low: 0, high: 10 };
 export const MAX_LAYERS = 8;
 
-// The indices that a medium below one of index `above` may have.
-export function iorBelow(above: number): Range {
+// The indices that a medium may have beside others, above or below it.
+export function iorBeside(...neighbours: number[]): Range {
     return {
-        low: Math.max(IOR.low, IOR_RATIO.low * above),
-        high: Math.min(IOR.high, IOR_RATIO.high * above),
+        low: Math.max(IOR.low, ...neighbours.map((ior) => IOR_RATIO.low * ior)),
+        high: Math.min(IOR.high, ...neighbours.map((ior) => IOR_RATIO.high * ior)),
     };
 }

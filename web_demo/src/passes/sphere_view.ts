@@ -14,7 +14,7 @@ export interface Light {
 
 export interface SphereView {
     level: string; // of the shader source
-    surface: Row[]; // at most 6
+    surface: Row[]; // at most LQ_VIEW_MAX_ROWS of shader_src/viewer/view.glsl
     lights: Light[]; // at most 4
     // From the centre of the picture to its nearest edge, in radii of the sphere.
     halfExtent: number;
