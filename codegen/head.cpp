@@ -61,6 +61,32 @@ std::string tables_wanted(Target target) {
         table_access(dialect_of(target)));
 }
 
+// How to supply the layers of a stack.
+std::string_view layer_access(text::Dialect dialect) {
+    switch (dialect) {
+        case text::Dialect::hlsl:
+            return "float4 lq_stack_row(int index) { return LAYERS[index]; }";
+        case text::Dialect::wgsl:
+            return "fn lq_stack_row(index: i32) -> vec4f { return LAYERS[index]; }";
+        case text::Dialect::msl:
+            return "static inline float4 lq_stack_row(int index) { return LAYERS[index]; }";
+        case text::Dialect::glsl:
+            break;
+    }
+    return "vec4 lq_stack_row(int index) { return LAYERS[index]; }";
+}
+
+// What a level of layers asks for.
+std::string layers_wanted(Target target) {
+    return fmt::format(
+        "//\n"
+        "// Define lq_stack_row above: a row of the layers' parameters, three for each layer "
+        "(LqStackMaterial),\n"
+        "// from a buffer or an array:\n"
+        "//     {}\n",
+        layer_access(dialect_of(target)));
+}
+
 }  // namespace
 
 std::string file_head(const ShaderFile& file, const Level& level,
@@ -74,6 +100,7 @@ std::string file_head(const ShaderFile& file, const Level& level,
         form_description(file), source_sha256);
     if (file.form == Form::library) head += kConventions;
     if (file.form == Form::library && level.reads_tables) head += tables_wanted(file.target);
+    if (file.form == Form::library && level.reads_layers) head += layers_wanted(file.target);
     return head + "\n";
 }
 

@@ -12,9 +12,10 @@ bool is_public(const Declaration& declaration) {
     return declaration.kind == Declaration::Kind::function && declaration.name.starts_with("lq_");
 }
 
-// Table access for the compiler: no module declares it, so that it is not in the library.
-constexpr std::string_view kStandIn =
-    "uvec4 {}(const int index) {{ return uvec4(uint(index)); }}\n";
+// What users supply, for the compiler: no module declares it, so that it is not in the library.
+constexpr std::string_view kStandIns =
+    "uvec4 {}(const int index) {{ return uvec4(uint(index)); }}\n"
+    "vec4 {}(const int index) {{ return vec4(float(index)); }}\n";
 
 // A call with arguments that were never set, in a scope of its own.
 std::string call(const Declaration& function) {
@@ -36,7 +37,7 @@ std::string entry(const std::string& source, const std::string& calls) {
         "{}"
         "#include \"{}\"\n"
         "void main() {{\n{}}}\n",
-        fmt::format(kStandIn, kTableAccess), source, calls);
+        fmt::format(kStandIns, kTableAccess, kLayerAccess), source, calls);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ inline constexpr Stage kLibraryStage = Stage::fragment;
 
 // What whoever uses functions that read tables supplies.
 inline constexpr std::string_view kTableAccess = "lq_table_texel";
+inline constexpr std::string_view kLayerAccess = "lq_stack_row";
 
 // GLSL that calls every function of `modules`, the last of which is `source`: compilers drop what
 // no entry point reaches.

@@ -1,6 +1,7 @@
 // Counts the texels that a surface reads: runs the shader source as C++ and listens.
 #define LACQUER_TABLE_TEXEL(index) codegen::counted_texel(index)
 #include <algorithm>
+#include <array>
 
 #include "codegen/cost.h"
 #include "shading/table_texels.h"
@@ -35,16 +36,18 @@ std::size_t reads_of_coated(double eta, int base_lobe) {
     return texels_read;
 }
 
-// Of a conductor's coat; every further layer reads as much as its interface alone.
+// Of a conductor's coat; further layers are read when light meets them.
 std::size_t reads_of_stack() {
     using namespace shader;
-    LqStackMaterial stack{};
-    stack.layer_count = 1;
-    stack.interfaces[0] = vec4{0.3, 0.3, 1.5, LQ_NDF_GGX};
-    stack.base = LQ_STACK_BASE_CONDUCTOR;
-    stack.facets = LqFacets{LQ_NDF_GGX, 0.3, 0.3};
-    stack.eta = vec3{0.2, 0.9, 1.1};
-    stack.kappa = vec3{3.9, 2.5, 2.1};
+    const std::array rows{vec4{0.3, 0.3, 1.5, LQ_NDF_GGX}, vec4{0.0}, vec4{0.0}};
+    const LqStackMaterial stack{0,
+                                1,
+                                LQ_STACK_BASE_CONDUCTOR,
+                                vec3{0.0},
+                                LqFacets{LQ_NDF_GGX, 0.3, 0.3},
+                                vec3{0.2, 0.9, 1.1},
+                                vec3{3.9, 2.5, 2.1}};
+    stack_rows = rows.data();
     texels_read = 0;
     lq_stack_prepare(stack);
     return texels_read;

@@ -23,7 +23,7 @@ constexpr std::array kLevels{
     Level{"coated", "coated/coated.glsl", "LQ_MODEL_COATED",
           "a rough dielectric coat over a Lambertian base, with all light between them", true},
     Level{"stack", "stack/stack.glsl", "LQ_MODEL_STACK",
-          "any number of rough layers over any base, with all light between them", true},
+          "any number of rough layers over any base, with all light between them", true, true},
 };
 
 struct StageEntry {

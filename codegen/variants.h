@@ -18,6 +18,7 @@ struct Level {
     std::string_view define;
     std::string_view description;
     bool reads_tables = false;  // then whoever uses the library form supplies lq_table_texel
+    bool reads_layers = false;  // and then lq_stack_row
 };
 
 enum class Stage { compute, vertex, fragment };

@@ -6,6 +6,9 @@
 // the BSDF per steradian without the cosine; a name ending in `_cos` includes cos_theta_i. `eta` is
 // ior below / ior above an interface, a conductor's index is eta + i kappa, `alpha` is the slope
 // roughness of the papers. Shaders return no NaN, no infinity and nothing negative.
+//
+// Whoever includes this supplies `lq_table_texel` (tables/interpolate.glsl) and `lq_stack_row`
+// (stack/material.glsl).
 #ifndef LQ_LACQUER_GLSL
 #define LQ_LACQUER_GLSL
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <utility>
+#include <vector>
 
 #include "lacquer/bsdf.h"
 #include "shading/one_coat_parameters.h"
@@ -134,39 +135,70 @@ struct CoatedFunctions : Functions<shader::lq_coated_eval, shader::lq_coated_eva
     static constexpr auto view_eval_cos = shader::lq_coated_view_eval_cos;
 };
 
-shader::LqStackMaterial to_stack(const StackParameters& parameters) {
-    shader::LqStackMaterial stack{};
-    stack.layer_count = static_cast<int>(parameters.layers.size());
-    for (std::size_t n = 0; n < parameters.layers.size(); ++n) {
-        const StackParameters::Layer& layer = parameters.layers[n];
-        const shader::LqFacets facets = to_facets(layer.microsurface);
-        stack.interfaces[n] = {facets.alpha_x, facets.alpha_y, static_cast<Real>(layer.index),
-                               static_cast<Real>(facets.ndf)};
-        stack.absorption[n] = {to_vector(layer.absorption), static_cast<Real>(layer.g)};
-        stack.scattering[n] = {to_vector(layer.scattering), Real{0}};
+// A prepared stack with the rows of its layers, which the shader source asks for.
+struct StackSurface {
+    std::vector<shader::vec4> rows;
+    shader::LqStackSurface surface;
+
+    // The surface, its rows being this thread's from now on.
+    const shader::LqStackSurface& in_use() const {
+        shader::stack_rows = rows.data();
+        return surface;
     }
-    stack.base = static_cast<int>(parameters.base_kind);
-    stack.albedo = to_vector(parameters.albedo);
-    stack.facets = to_facets(parameters.base_facets);
-    stack.eta = to_vector(parameters.eta);
-    stack.kappa = to_vector(parameters.kappa);
+};
+
+std::vector<shader::vec4> to_rows(const StackParameters& parameters) {
+    std::vector<shader::vec4> rows;
+    for (const StackParameters::Layer& layer : parameters.layers) {
+        const shader::LqFacets facets = to_facets(layer.microsurface);
+        rows.emplace_back(facets.alpha_x, facets.alpha_y, static_cast<Real>(layer.index),
+                          static_cast<Real>(facets.ndf));
+        rows.emplace_back(to_vector(layer.absorption), static_cast<Real>(layer.g));
+        rows.emplace_back(to_vector(layer.scattering), Real{0});
+    }
+    return rows;
+}
+
+StackSurface to_stack(const StackParameters& parameters) {
+    StackSurface stack{to_rows(parameters), {}};
+    shader::stack_rows = stack.rows.data();
+    stack.surface = shader::lq_stack_prepare(
+        {0, static_cast<int>(parameters.layers.size()), static_cast<int>(parameters.base_kind),
+         to_vector(parameters.albedo), to_facets(parameters.base_facets), to_vector(parameters.eta),
+         to_vector(parameters.kappa)});
     return stack;
 }
 
-shader::LqAlbedo stack_albedo(const shader::LqStackSurface& surface, const shader::vec3& wo, int) {
-    return shader::lq_stack_albedo(surface, wo);
-}
-
-struct StackFunctions : Functions<shader::lq_stack_eval, shader::lq_stack_eval_cos,
-                                  shader::lq_stack_pdf, shader::lq_stack_sample, stack_albedo> {
-    static constexpr auto view = shader::lq_stack_view;
-    static constexpr auto view_eval_cos = shader::lq_stack_view_eval_cos;
+struct StackFunctions {
+    using Vector = shader::vec3;
+    static Vector eval(const StackSurface& stack, const Vector& wi, const Vector& wo) {
+        return shader::lq_stack_eval(stack.in_use(), wi, wo);
+    }
+    static Vector eval_cos(const StackSurface& stack, const Vector& wi, const Vector& wo) {
+        return shader::lq_stack_eval_cos(stack.in_use(), wi, wo);
+    }
+    static Real pdf(const StackSurface& stack, const Vector& wi, const Vector& wo) {
+        return shader::lq_stack_pdf(stack.in_use(), wi, wo);
+    }
+    static shader::LqSample sample(const StackSurface& stack, const Vector& wo, const Vector& u) {
+        return shader::lq_stack_sample(stack.in_use(), wo, u);
+    }
+    static shader::LqAlbedo albedo(const StackSurface& stack, const Vector& wo, int) {
+        return shader::lq_stack_albedo(stack.in_use(), wo);
+    }
+    static shader::LqStackView view(const StackSurface& stack, const Vector& wo) {
+        return shader::lq_stack_view(stack.in_use(), wo);
+    }
+    static Vector view_eval_cos(const StackSurface& stack, const shader::LqStackView& viewer,
+                                const Vector& wi) {
+        return shader::lq_stack_view_eval_cos(stack.surface, viewer, wi);
+    }
 };
 
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {
     using namespace shader;
     if (model == Model::stack)
-        return level<StackFunctions>(lq_stack_prepare(to_stack(stack_parameters(material, model))));
+        return level<StackFunctions>(to_stack(stack_parameters(material, model)));
     const OneCoatParameters parameters = one_coat_parameters(material, model);
     const LqOneCoat surface = to_one_coat(parameters);
     switch (model) {

@@ -19,6 +19,13 @@ uvec4 lq_table_texel(const int index) {
     return LACQUER_TABLE_TEXEL(index);
 }
 
+// The layers of the stack that this thread shades: whoever calls lq_stack_* sets them before.
+thread_local const vec4* stack_rows = nullptr;
+
+vec4 lq_stack_row(const int index) {
+    return stack_rows[index];
+}
+
 #define float double
 #include "lacquer.glsl"
 #undef float

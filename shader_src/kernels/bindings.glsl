@@ -19,6 +19,11 @@ layout(set = 0, binding = 1, std430) readonly buffer LqSurfaces {
     vec4 rows[];
 } surfaces;
 
+// Row `index` of the packed surfaces: what unpacks them works for any buffer.
+vec4 lq_packed_row(const uint index) {
+    return surfaces.rows[index];
+}
+
 layout(set = 0, binding = 2, std430) readonly buffer LqInputs {
     vec4 rows[];
 } inputs;

@@ -18,16 +18,16 @@
 // Rows: (coat alpha x, y, eta, ndf), (tau, base lobe), (albedo, 0).
 #define LQ_MODEL_ROWS 3u
 
-// The prepared surface that three packed rows describe.
-LqCoatedSurface lq_coated_unpack(const vec4 coat, const vec4 tau, const vec4 albedo) {
+// The prepared surface whose rows begin at `first`.
+LqCoatedSurface lq_coated_unpack(const uint first) {
+    const vec4 coat = lq_packed_row(first);
+    const vec4 tau = lq_packed_row(first + 1u);
+    const vec4 albedo = lq_packed_row(first + 2u);
     return lq_coated_prepare(LqCoatedMaterial(
         LqFacets(int(coat.w), coat.x, coat.y), coat.z, vec3(tau.x, tau.y, tau.z),
         vec3(albedo.x, albedo.y, albedo.z), int(tau.w)));
 }
 
-// The surface whose rows begin at `rows[first]`. A macro, because the kernels read a storage buffer
-// and the viewer a uniform block, and neither can be passed to a function.
-#define lq_model_unpack(rows, first)                                                             \
-    lq_coated_unpack(rows[first], rows[(first) + 1u], rows[(first) + 2u])
+#define lq_model_unpack lq_coated_unpack
 
 #endif

@@ -3,6 +3,8 @@
 #ifndef LQ_KERNELS_MODEL_STACK_GLSL
 #define LQ_KERNELS_MODEL_STACK_GLSL
 
+#include "stack_rows.glsl"
+
 #include "../stack/stack.glsl"
 
 #define LqModelSurface LqStackSurface
@@ -19,69 +21,18 @@
 // then for each of LQ_MAX_LAYERS (alpha x, y, index, ndf), (absorption, g) and (scattering, 0).
 #define LQ_MODEL_ROWS 27u
 
-// The rows of a layer.
-struct LqPackedLayer {
-    vec4 interface_row;
-    vec4 absorption;
-    vec4 scattering;
-};
-
-LqStackMaterial lq_stack_unpack_base(const vec4 head, const vec4 colour, const vec4 kappa) {
-    LqStackMaterial material;
-    material.layer_count = int(head.x);
-    material.base = int(head.y);
-    material.albedo = vec3(colour.x, colour.y, colour.z);
-    material.facets = LqFacets(int(colour.w), head.z, head.w);
-    material.eta = material.albedo;
-    material.kappa = vec3(kappa.x, kappa.y, kappa.z);
-    return material;
+// The prepared surface whose rows begin at `first`.
+LqStackSurface lq_stack_unpack(const uint first) {
+    const vec4 head = lq_packed_row(first);
+    const vec4 colour = lq_packed_row(first + 1u);
+    const vec4 kappa = lq_packed_row(first + 2u);
+    const vec3 albedo_or_eta = vec3(colour.x, colour.y, colour.z);
+    return lq_stack_prepare(LqStackMaterial(int(first) + 3, int(head.x), int(head.y),
+                                            albedo_or_eta,
+                                            LqFacets(int(colour.w), head.z, head.w), albedo_or_eta,
+                                            vec3(kappa.x, kappa.y, kappa.z)));
 }
 
-// The prepared surface of packed rows; layers in pairs of rows.
-LqStackSurface lq_stack_unpack(const vec4 head, const vec4 colour, const vec4 kappa,
-                               const LqPackedLayer a, const LqPackedLayer b,
-                               const LqPackedLayer c, const LqPackedLayer d,
-                               const LqPackedLayer e, const LqPackedLayer f,
-                               const LqPackedLayer g, const LqPackedLayer h) {
-    LqStackMaterial material = lq_stack_unpack_base(head, colour, kappa);
-    material.interfaces[0] = a.interface_row;
-    material.interfaces[1] = b.interface_row;
-    material.interfaces[2] = c.interface_row;
-    material.interfaces[3] = d.interface_row;
-    material.interfaces[4] = e.interface_row;
-    material.interfaces[5] = f.interface_row;
-    material.interfaces[6] = g.interface_row;
-    material.interfaces[7] = h.interface_row;
-    material.absorption[0] = a.absorption;
-    material.scattering[0] = a.scattering;
-    material.absorption[1] = b.absorption;
-    material.scattering[1] = b.scattering;
-    material.absorption[2] = c.absorption;
-    material.scattering[2] = c.scattering;
-    material.absorption[3] = d.absorption;
-    material.scattering[3] = d.scattering;
-    material.absorption[4] = e.absorption;
-    material.scattering[4] = e.scattering;
-    material.absorption[5] = f.absorption;
-    material.scattering[5] = f.scattering;
-    material.absorption[6] = g.absorption;
-    material.scattering[6] = g.scattering;
-    material.absorption[7] = h.absorption;
-    material.scattering[7] = h.scattering;
-    return lq_stack_prepare(material);
-}
-
-#define lq_packed_layer(rows, first, n)                                                          \
-    LqPackedLayer(rows[(first) + 3u + 3u * n], rows[(first) + 4u + 3u * n],                      \
-                  rows[(first) + 5u + 3u * n])
-
-// The surface whose rows begin at `rows[first]`. A macro, because the kernels read a storage buffer
-// and the viewer a uniform block, and neither can be passed to a function.
-#define lq_model_unpack(rows, first)                                                             \
-    lq_stack_unpack(rows[first], rows[(first) + 1u], rows[(first) + 2u],                         \
-                    lq_packed_layer(rows, first, 0u), lq_packed_layer(rows, first, 1u),          \
-                    lq_packed_layer(rows, first, 2u), lq_packed_layer(rows, first, 3u),          \
-                    lq_packed_layer(rows, first, 4u), lq_packed_layer(rows, first, 5u),          \
-                    lq_packed_layer(rows, first, 6u), lq_packed_layer(rows, first, 7u))
+#define lq_model_unpack lq_stack_unpack
 
 #endif

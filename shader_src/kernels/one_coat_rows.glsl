@@ -9,9 +9,14 @@
 // kappa, optical depth.
 #define LQ_MODEL_ROWS 6u
 
-// The surface that six packed rows describe.
-LqOneCoat lq_one_coat_unpack(const vec4 coat, const vec4 base, const vec4 albedo, const vec4 eta,
-                             const vec4 kappa, const vec4 optical_depth) {
+// The surface whose rows begin at `first`.
+LqOneCoat lq_one_coat_unpack(const uint first) {
+    const vec4 coat = lq_packed_row(first);
+    const vec4 base = lq_packed_row(first + 1u);
+    const vec4 albedo = lq_packed_row(first + 2u);
+    const vec4 eta = lq_packed_row(first + 3u);
+    const vec4 kappa = lq_packed_row(first + 4u);
+    const vec4 optical_depth = lq_packed_row(first + 5u);
     return LqOneCoat(LqFacets(int(coat.w), coat.x, coat.y), coat.z,
                      vec3(optical_depth.x, optical_depth.y, optical_depth.z), int(base.z),
                      vec3(albedo.x, albedo.y, albedo.z),
@@ -19,11 +24,6 @@ LqOneCoat lq_one_coat_unpack(const vec4 coat, const vec4 base, const vec4 albedo
                      vec3(kappa.x, kappa.y, kappa.z));
 }
 
-// The prepared surface whose rows begin at `rows[first]`. A macro, because the kernels read a
-// storage buffer and the viewer a uniform block, and neither can be passed to a function.
-#define lq_model_unpack(rows, first)                                                             \
-    lq_model_prepare(lq_one_coat_unpack(rows[first], rows[(first) + 1u], rows[(first) + 2u],     \
-                                        rows[(first) + 3u], rows[(first) + 4u],                  \
-                                        rows[(first) + 5u]))
+#define lq_model_unpack(first) lq_model_prepare(lq_one_coat_unpack(first))
 
 #endif

@@ -7,7 +7,7 @@
 
 LqModelSurface lq_model_surface(const uint query) {
     const uint row = query / parameters.queries_per_surface * LQ_MODEL_ROWS;
-    return lq_model_unpack(surfaces.rows, row);
+    return lq_model_unpack(row);
 }
 
 #endif

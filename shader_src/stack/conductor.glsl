@@ -34,38 +34,28 @@ LqOctet lq_octet_sum(const LqOctet sum, const LqOctet more, const float factor) 
     return LqOctet(sum.low + more.low * factor, sum.high + more.high * factor);
 }
 
-// eta + i kappa relative to the medium above, both at least 0.
-LqConductorAlbedo lq_conductor_albedo(const float alpha, const vec3 eta, const vec3 kappa) {
-    const LqOctet red = lq_conductor_material(eta.x, kappa.x);
-    const LqOctet green = lq_conductor_material(eta.y, kappa.y);
-    const LqOctet blue = lq_conductor_material(eta.z, kappa.z);
-    vec3 terms[LQ_CONDUCTOR_TERMS];
-    terms[0] = vec3(red.low.x, green.low.x, blue.low.x);
-    terms[1] = vec3(red.low.y, green.low.y, blue.low.y);
-    terms[2] = vec3(red.low.z, green.low.z, blue.low.z);
-    terms[3] = vec3(red.low.w, green.low.w, blue.low.w);
-    terms[4] = vec3(red.high.x, green.high.x, blue.high.x);
-    terms[5] = vec3(red.high.y, green.high.y, blue.high.y);
-    terms[6] = vec3(red.high.z, green.high.z, blue.high.z);
-    terms[7] = vec3(red.high.w, green.high.w, blue.high.w);
+// eta + i kappa relative to the medium above, both at least 0. Nothing unless `conducts`.
+LqConductorAlbedo lq_conductor_albedo(const bool conducts, const float alpha, const vec3 eta,
+                                      const vec3 kappa) {
     const LqSegment row = lq_alpha_segment(alpha, LQ_CONDUCTOR_ALPHAS);
     const LqOctet nothing = LqOctet(vec4(0.0), vec4(0.0));
     LqConductorAlbedo albedo = LqConductorAlbedo(nothing, nothing, nothing);
-    for (int k = 0; k < LQ_CONDUCTOR_TERMS; k++) {
-        const LqOctet facets =
-            lq_table_read_line(row, LQ_CONDUCTOR_TERMS, LQ_CONDUCTOR_FACETS + k);
-        albedo.red = lq_octet_sum(albedo.red, facets, terms[k].x);
-        albedo.green = lq_octet_sum(albedo.green, facets, terms[k].y);
-        albedo.blue = lq_octet_sum(albedo.blue, facets, terms[k].z);
+    // Channel by channel, and each term by term: what is read is in the code once.
+    const int channels = conducts ? 3 : 0;
+    for (int channel = 0; channel < channels; channel++) {
+        const LqOctet terms = lq_conductor_material(eta[channel], kappa[channel]);
+        LqOctet sum = nothing;
+        for (int k = 0; k < LQ_CONDUCTOR_TERMS; k++) {
+            const float term = k < 4 ? terms.low[k] : terms.high[k - 4];
+            sum = lq_octet_sum(
+                sum, lq_table_read_line(row, LQ_CONDUCTOR_TERMS, LQ_CONDUCTOR_FACETS + k), term);
+        }
+        albedo.red = albedo.green;
+        albedo.green = albedo.blue;
+        albedo.blue = sum;
     }
     return albedo;
 }
-
-// A number for each direction of a lobe.
-struct LqNodeValues {
-    vec4 low;
-    vec4 high;
-};
 
 // What one channel reflects in the directions of a lobe. Of a smooth conductor the polynomials know
 // the differences between directions better than the values: with `reflectance`, of the mean

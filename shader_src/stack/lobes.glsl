@@ -26,6 +26,7 @@ struct LqStackView {
     LqStackLobe interfaces;
     LqStackLobe base;
     vec3 arriving;
+    LqStackDiffuse diffuse;
 };
 
 LqFacets lq_lobe_facets(const LqStackLobe lobe) {
@@ -43,18 +44,42 @@ float lq_stack_top_multiple(const LqStackSurface surface, const float cos_theta)
     return clamp(lq_direction_value(surface.multiple, surface.top_critical, cos_theta), 0.0, 1.0);
 }
 
-// For any number of lights; `wo` above the surface.
+// For any number of lights; `wo` above the surface. All light that is followed is followed here, in
+// one loop: the viewer's, and before it what a Lambertian base needs, at four directions and from
+// below.
 LqStackView lq_stack_view(const LqStackSurface surface, const vec3 wo) {
     const float cosine = clamp(wo.z, 0.0, 1.0);
-    const LqStackLight light = lq_stack_light(surface, LQ_LIGHT_FROM_ABOVE, cosine);
-    vec3 arriving = vec3(0.0);
-    if (surface.base == LQ_STACK_BASE_LAMBERTIAN) {
-        const vec4 light_in = lq_stack_arriving(surface, cosine);
-        arriving = vec3(light_in.x, light_in.y, light_in.z);
+    const bool is_lambertian = surface.base == LQ_STACK_BASE_LAMBERTIAN;
+    LqStackLight light =
+        LqStackLight(0.0, vec4(0.0), 0.0, vec4(0.0), 0.0, vec4(0.0), vec4(0.0));
+    vec4 a = vec4(0.0);
+    vec4 b = vec4(0.0);
+    vec4 c = vec4(0.0);
+    vec4 d = vec4(0.0);
+    vec4 returning = vec4(0.0);
+    for (int run = is_lambertian ? 0 : 5; run < 6; run++) {
+        const float narrow = run == 0 ? LQ_CUBIC_NODES.x : LQ_CUBIC_NODES.y;
+        const float wide = run == 2 ? LQ_CUBIC_NODES.z : LQ_CUBIC_NODES.w;
+        const float entered = run < 2 ? narrow : wide;
+        const int diffuse = run == 4 ? LQ_LIGHT_FROM_BELOW : LQ_LIGHT_ENTERED;
+        light = lq_stack_light(surface, run == 5 ? LQ_LIGHT_FROM_ABOVE : diffuse,
+                               run == 5 ? cosine : entered);
+        if (run == 4) {
+            returning = light.returning;
+        } else if (run < 4) {
+            a = b;
+            b = c;
+            c = d;
+            d = light.arrived;
+        }
     }
+    const LqStackDiffuse diffuse_base =
+        lq_stack_diffuse(surface, lq_cubic_through(a, b, c, d), returning);
+    const vec4 arriving = lq_stack_arriving(surface, diffuse_base.arriving, cosine);
     return LqStackView(wo, light.top, lq_stack_top_multiple(surface, cosine),
                        lq_stack_lobe_of(light.interfaces, light.interfaces_width, cosine),
-                       lq_stack_lobe_of(light.base, light.base_width, cosine), arriving);
+                       lq_stack_lobe_of(light.base, light.base_width, cosine),
+                       vec3(arriving.x, arriving.y, arriving.z), diffuse_base);
 }
 
 // f of the top interface.
@@ -76,24 +101,25 @@ vec3 lq_stack_value(const LqStackSurface surface, const LqStackView viewer, cons
              lq_stack_lobe_value(viewer.interfaces, wi, viewer.wo) +
              lq_stack_lobe_value(viewer.base, wi, viewer.wo);
     if (surface.base == LQ_STACK_BASE_LAMBERTIAN) {
-        const vec4 arriving = lq_stack_arriving(surface, min(wi.z, 1.0));
-        f += viewer.arriving * vec3(arriving.x, arriving.y, arriving.z) * surface.spread;
+        const vec4 arriving =
+            lq_stack_arriving(surface, viewer.diffuse.arriving, min(wi.z, 1.0));
+        f += viewer.arriving * vec3(arriving.x, arriving.y, arriving.z) * viewer.diffuse.spread;
     }
     return f;
 }
 
 // What is sent to the viewer by way of the base.
-vec3 lq_stack_base_albedo(const LqStackSurface surface, const LqStackView viewer) {
-    return viewer.base.energy + viewer.arriving * surface.returned;
+vec3 lq_stack_base_albedo(const LqStackView viewer) {
+    return viewer.base.energy + viewer.arriving * viewer.diffuse.returned;
 }
 
 // Probabilities of lobes: of the top interface, of those below, of a conductor, and of a Lambertian
 // base. In proportion to their light, but each that has some at least with LQ_MIN_CHOICE over their
 // number.
-vec4 lq_stack_choices(const LqStackSurface surface, const LqStackView viewer) {
+vec4 lq_stack_choices(const LqStackView viewer) {
     const vec4 light = max(vec4(viewer.top, lq_average(viewer.interfaces.energy),
                                 lq_average(viewer.base.energy),
-                                lq_average(viewer.arriving * surface.returned)), vec4(0.0));
+                                lq_average(viewer.arriving * viewer.diffuse.returned)), vec4(0.0));
     const vec4 present = vec4(1.0) - step(light, vec4(0.0));
     const float sum = dot(light, vec4(1.0));
     if (sum <= 0.0) {
@@ -114,7 +140,7 @@ float lq_stack_once_choice(const LqStackView viewer) {
 // Density per solid angle of all lobes together, for directions above the surface. Belcour 2018,
 // Eq. 40.
 float lq_stack_density(const LqStackSurface surface, const LqStackView viewer, const vec3 wi) {
-    const vec4 choices = lq_stack_choices(surface, viewer);
+    const vec4 choices = lq_stack_choices(viewer);
     const float once = lq_stack_once_choice(viewer);
     const float diffuse = lq_cosine_hemisphere_pdf(wi.z);
     const float top =
@@ -127,7 +153,7 @@ float lq_stack_density(const LqStackSurface surface, const LqStackView viewer, c
 
 // May point below the surface. `u` in [0, 1)^3: the first chooses a lobe.
 vec3 lq_stack_direction(const LqStackSurface surface, const LqStackView viewer, const vec3 u) {
-    const vec4 choices = lq_stack_choices(surface, viewer);
+    const vec4 choices = lq_stack_choices(viewer);
     const vec2 square = vec2(u.y, u.z);
     LqFacets facets = surface.top;
     bool is_diffuse = false;

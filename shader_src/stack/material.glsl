@@ -1,4 +1,8 @@
 // What `lq_stack_*` shades: rough dielectric interfaces from the top, a medium below each, and a base.
+//
+// Whoever includes this supplies `vec4 lq_stack_row(const int index)`: the rows of parameters of all
+// layers, from a buffer or an array. Shaders take them when light meets a layer: arrays handed from
+// function to function would be copied each time.
 #ifndef LQ_STACK_MATERIAL_GLSL
 #define LQ_STACK_MATERIAL_GLSL
 
@@ -16,18 +20,19 @@ const int LQ_STACK_BASE_NONE = 0;
 const int LQ_STACK_BASE_LAMBERTIAN = 1;
 const int LQ_STACK_BASE_CONDUCTOR = 2;
 
-// `layer_count` in [1, LQ_MAX_LAYERS]. Of layer n, counted from the top: interfaces[n] is (alpha_x,
-// alpha_y, index over the exterior's, ndf) with the index of the medium below it in [1/3, 3] and
-// neighbouring ones in that proportion to each other, ndf one of LQ_NDF_*; absorption[n] is
-// (optical depth sigma_a d of that medium along the normal, at least 0, per channel; mean cosine g of
-// its phase function in [-1, 1]) and scattering[n] (optical depth sigma_s d, 0).
+// Rows of a layer.
+const int LQ_LAYER_ROWS = 3;
+
+// Layers in [1, LQ_MAX_LAYERS], from the top, have LQ_LAYER_ROWS rows each from `first_row` on:
+// (alpha_x, alpha_y, index over the exterior's, ndf) of the interface, the index that of the medium
+// below it in [1/3, 3] and neighbouring ones in that proportion to each other, ndf one of LQ_NDF_*;
+// (optical depths sigma_a d of that medium along the normal, at least 0, per channel; mean cosine g
+// of its phase function in [-1, 1]); (optical depths sigma_s d; 0).
 // `base` is one of LQ_STACK_BASE_*. Lambertian: `albedo` in [0, 1]. Conductor: `facets`, and its
 // index eta + i kappa over the exterior's.
 struct LqStackMaterial {
+    int first_row;
     int layer_count;
-    vec4 interfaces[LQ_MAX_LAYERS];
-    vec4 absorption[LQ_MAX_LAYERS];
-    vec4 scattering[LQ_MAX_LAYERS];
     int base;
     vec3 albedo;
     LqFacets facets;

@@ -39,7 +39,7 @@ struct LqPart {
 // What of each channel arrives and goes that way; `clear` the same of a channel without absorption.
 LqPart lq_part(const LqStackBeam beam, const LqStackNodes nodes, const LqNodeValues red,
                const LqNodeValues green, const LqNodeValues blue, const LqNodeValues clear) {
-    const vec4 energy = lq_beam_energy(beam);
+    const vec4 energy = beam.interfaces + beam.base;
     const vec4 low = energy.x * red.low + energy.y * green.low + energy.z * blue.low +
                      energy.w * clear.low;
     const vec4 high = energy.x * red.high + energy.y * green.high + energy.z * blue.high +
@@ -58,15 +58,15 @@ LqPart lq_part(const LqStackBeam beam, const LqStackNodes nodes, const LqNodeVal
 }
 
 LqPart lq_crossed_part(const LqStackBeam beam, const LqStackNodes nodes,
-                        const LqCrossedLight crossing, const LqNodeValues share) {
+                       const LqCrossedLight crossing, const LqNodeValues share) {
     return lq_part(beam, nodes, lq_node_product(crossing.red, share),
                    lq_node_product(crossing.green, share), lq_node_product(crossing.blue, share),
                    share);
 }
 
 LqStackBeam lq_part_of(const LqStackBeam beam, const LqPart part) {
-    return LqStackBeam(part.cosine, beam.widths, beam.through * part.share,
-                       beam.interfaces * part.share, beam.base * part.share);
+    return LqStackBeam(part.cosine, beam.widths, beam.interfaces * part.share,
+                       beam.base * part.share);
 }
 
 #endif

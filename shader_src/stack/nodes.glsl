@@ -20,6 +20,12 @@ struct LqStackNodes {
     vec4 high_steps;
 };
 
+// A number for each direction of a lobe.
+struct LqNodeValues {
+    vec4 low;
+    vec4 high;
+};
+
 LqOctet lq_stack_lobe(const float cosine, const float alpha) {
     const LqSegment column =
         lq_table_segment(lq_safe_sqrt(cosine) * float(LQ_LOBE_COSINES - 1), LQ_LOBE_COSINES);

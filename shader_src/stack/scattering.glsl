@@ -142,7 +142,7 @@ LqStackBeam lq_scattered_beam(const LqStackBeam beam, const vec4 share, const Lq
         min(lq_sine_from_cosine(beam.cosine) * lobe.sine_ratio, LQ_MOST_SINE);
     return LqStackBeam(lq_sine_from_cosine(sine),
                        lq_widened(beam.widths, 1.0, lq_lobe_variance(lq_square(lobe.alpha))),
-                       beam.through * share, beam.interfaces * share, beam.base * share);
+                       beam.interfaces * share, beam.base * share);
 }
 
 #endif

@@ -78,7 +78,7 @@ LqAlbedo lq_stack_albedo(const LqStackSurface surface, const vec3 wo) {
     }
     const LqStackView viewer = lq_stack_view(surface, wo);
     return LqAlbedo(vec3(viewer.top) + viewer.interfaces.energy,
-                    lq_stack_base_albedo(surface, viewer));
+                    lq_stack_base_albedo(viewer));
 }
 
 #endif

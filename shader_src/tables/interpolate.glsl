@@ -63,14 +63,22 @@ LqOctet lq_octet_between(const LqOctet low, const LqOctet high, const float shar
                    low.high + (high.high - low.high) * share);
 }
 
-// The numbers at a point of a grid, `first` being a texel of its first node.
+// The numbers at a point of a grid, `first` being a texel of its first node. A loop, so that
+// shaders, which have many of these, hold the code of one texel each.
 LqOctet lq_table_read(const LqCell cell, const int first) {
-    return lq_octet_between(
-        lq_octet_between(lq_table_octet(first + cell.texels.x),
-                         lq_table_octet(first + cell.texels.y), cell.column_share),
-        lq_octet_between(lq_table_octet(first + cell.texels.z),
-                         lq_table_octet(first + cell.texels.w), cell.column_share),
-        cell.row_share);
+    const float both = cell.row_share * cell.column_share;
+    const vec4 shares = vec4(0.0, cell.column_share - both, cell.row_share - both, both);
+    LqOctet corner = LqOctet(vec4(0.0), vec4(0.0));
+    LqOctet steps = corner;
+    for (int n = 0; n < 4; n++) {
+        const LqOctet node = lq_table_octet(first + cell.texels[n]);
+        if (n == 0) {
+            corner = node;
+        }
+        steps.low += (node.low - corner.low) * shares[n];
+        steps.high += (node.high - corner.high) * shares[n];
+    }
+    return LqOctet(corner.low + steps.low, corner.high + steps.high);
 }
 
 // The same along one axis.

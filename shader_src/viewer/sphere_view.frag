@@ -3,10 +3,10 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "tables.glsl"
+#include "view.glsl"
 #include "../kernels/model.glsl"
 #include "../lighting/sphere.glsl"
 #include "../lighting/tone_mapping.glsl"
-#include "view.glsl"
 
 layout(location = 0) in vec2 view_position;
 layout(location = 0) out vec4 color;
@@ -20,7 +20,7 @@ void main() {
     const vec3 normal = lq_sphere_normal(lq_sphere_shading_position(view_position, view.pixel));
     const LqFrame frame = lq_sphere_frame(normal);
     const vec3 wo = lq_frame_to_local(frame, vec3(0.0, 0.0, 1.0));
-    const LqModelSurface surface = lq_model_unpack(view.surface, 0u);
+    const LqModelSurface surface = lq_model_unpack(0u);
     const LqModelView viewer = lq_model_view(surface, wo);
     vec3 radiance = vec3(0.0);
     for (uint light = 0u; light < min(view.light_count, LQ_VIEW_MAX_LIGHTS); light++) {

@@ -19,4 +19,9 @@ layout(set = 0, binding = 0, std140) uniform LqSphereView {
     uint light_count;
 } view;
 
+// Row `index` of the packed surface.
+vec4 lq_packed_row(const uint index) {
+    return view.surface[index];
+}
+
 #endif

@@ -104,26 +104,37 @@ std::string hlsl_complaint(const std::string& text, std::string_view stage) {
     return complaint(text, stage, true);
 }
 
-std::string table_access(const codegen::ShaderFile& file) {
-    const bool wanted =
-        file.form == codegen::Form::library && codegen::level_from_name(file.level).reads_tables;
-    if (!wanted) return {};
+// What users of a library supply.
+std::string stand_ins(const codegen::ShaderFile& file) {
+    const codegen::Level& level = codegen::level_from_name(file.level);
+    if (file.form != codegen::Form::library || !level.reads_tables) return {};
+    std::string tables, layers;
     switch (codegen::dialect_of(file.target)) {
         case codegen::text::Dialect::hlsl:
-            return "uint4 lq_table_texel(int index) { return uint4(index, 0, 0, 0); }\n";
+            tables = "uint4 lq_table_texel(int index) { return uint4(index, 0, 0, 0); }\n";
+            layers = "float4 lq_stack_row(int index) { return float4(index, 0, 0, 0); }\n";
+            break;
         case codegen::text::Dialect::wgsl:
-            return "fn lq_table_texel(index: i32) -> vec4<u32> { return vec4<u32>(u32(index)); }\n";
+            tables =
+                "fn lq_table_texel(index: i32) -> vec4<u32> { return vec4<u32>(u32(index)); }\n";
+            layers = "fn lq_stack_row(index: i32) -> vec4<f32> { return vec4<f32>(f32(index)); }\n";
+            break;
         case codegen::text::Dialect::msl:
-            return "#include <metal_stdlib>\nusing namespace metal;\n"
-                   "static inline uint4 lq_table_texel(int index) { return uint4(index); }\n";
+            tables =
+                "#include <metal_stdlib>\nusing namespace metal;\n"
+                "static inline uint4 lq_table_texel(int index) { return uint4(index); }\n";
+            layers = "static inline float4 lq_stack_row(int index) { return float4(index); }\n";
+            break;
         default:
-            return "uvec4 lq_table_texel(int index) { return uvec4(uint(index)); }\n";
+            tables = "uvec4 lq_table_texel(int index) { return uvec4(uint(index)); }\n";
+            layers = "vec4 lq_stack_row(int index) { return vec4(float(index)); }\n";
     }
+    return tables + (level.reads_layers ? layers : std::string{});
 }
 
 std::string as_shader(const codegen::ShaderFile& file) {
     if (file.form == codegen::Form::kernel) return file.contents;
-    const std::string contents = table_access(file) + file.contents;
+    const std::string contents = stand_ins(file) + file.contents;
     constexpr std::string_view kPrecision = "precision highp float;\nprecision highp int;\n";
     const std::string main = "void main() {\n}\n";
     switch (file.target) {

@@ -91,24 +91,29 @@ shader::LqFacets to_facets(const Microsurface& facets) {
             static_cast<shader::Real>(facets.alpha[1])};
 }
 
-shader::LqStackMaterial to_shader(const Material& material) {
-    shader::LqStackMaterial stack{};
-    stack.layer_count = static_cast<int>(material.layers.size());
-    for (std::size_t n = 0; n < material.layers.size(); ++n) {
-        const Layer& layer = material.layers[n];
+std::vector<shader::vec4> to_rows(const Material& material) {
+    std::vector<shader::vec4> rows;
+    for (const Layer& layer : material.layers) {
         const auto& facets = std::get<Microsurface>(layer.interface.roughness);
-        stack.interfaces[n] =
-            shader::vec4{facets.alpha[0], facets.alpha[1], layer.interface.ior, shader::LQ_NDF_GGX};
+        rows.emplace_back(facets.alpha[0], facets.alpha[1], layer.interface.ior,
+                          shader::LQ_NDF_GGX);
         if (const auto* absorbing = std::get_if<AbsorbingMedium>(&layer.medium)) {
             const Rgb& tau = absorbing->tau;
-            stack.absorption[n] =
-                shader::vec4{-std::log(tau[0]), -std::log(tau[1]), -std::log(tau[2]), 0.0};
+            rows.emplace_back(-std::log(tau[0]), -std::log(tau[1]), -std::log(tau[2]), 0.0);
+            rows.emplace_back(0.0);
         } else {
             const auto& slab = std::get<ScatteringMedium>(layer.medium);
-            stack.absorption[n] = shader::vec4{to_vec(slab.sigma_a), slab.g};
-            stack.scattering[n] = shader::vec4{to_vec(slab.sigma_s), 0.0};
+            rows.emplace_back(to_vec(slab.sigma_a), slab.g);
+            rows.emplace_back(to_vec(slab.sigma_s), 0.0);
         }
     }
+    return rows;
+}
+
+// Of the rows that shader::stack_rows points to.
+shader::LqStackSurface prepare(const Material& material) {
+    shader::LqStackMaterial stack{};
+    stack.layer_count = static_cast<int>(material.layers.size());
     stack.base = shader::LQ_STACK_BASE_NONE;
     if (const auto* lambertian = std::get_if<LambertianBase>(&material.base)) {
         stack.base = shader::LQ_STACK_BASE_LAMBERTIAN;
@@ -119,7 +124,7 @@ shader::LqStackMaterial to_shader(const Material& material) {
         stack.eta = to_vec(conductor->eta);
         stack.kappa = to_vec(conductor->kappa);
     }
-    return stack;
+    return shader::lq_stack_prepare(stack);
 }
 
 double relative_error(double value, double expected) {
@@ -132,7 +137,9 @@ TEST(ShaderStack, AgreesWithTheReference) {
     for (int n = 0; n < 300; ++n) {
         const Material material = random.next();
         const auto truth = reference::prepare_stack(material, tables());
-        const shader::LqStackSurface surface = shader::lq_stack_prepare(to_shader(material));
+        const std::vector<shader::vec4> rows = to_rows(material);
+        shader::stack_rows = rows.data();
+        const shader::LqStackSurface surface = prepare(material);
         const glm::dvec3 wo = random.direction(0.02);
         const reference::Albedo expected = reference::albedo(truth, wo);
         const shader::LqAlbedo albedo = shader::lq_stack_albedo(surface, shader::vec3{wo});
@@ -174,7 +181,9 @@ TEST(ShaderStack, SamplesLikeTheReference) {
         const Material material = random.next();
         if (!has_all_lobes(material)) continue;
         const auto truth = reference::prepare_stack(material, tables());
-        const shader::LqStackSurface surface = shader::lq_stack_prepare(to_shader(material));
+        const std::vector<shader::vec4> rows = to_rows(material);
+        shader::stack_rows = rows.data();
+        const shader::LqStackSurface surface = prepare(material);
         const glm::dvec3 wo = random.direction(0.05);
         for (int number = 0; number < 16; ++number) {
             const glm::dvec3 u{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};

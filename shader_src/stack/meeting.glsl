@@ -1,0 +1,147 @@
+// A beam meets an interface, the base or a medium that scatters.
+//
+// Loops of one turn or none stand where an `if` would do: some compilers run both sides of an `if`,
+// but no loop that nobody enters.
+#ifndef LQ_STACK_MEETING_GLSL
+#define LQ_STACK_MEETING_GLSL
+
+#include "medium.glsl"
+#include "scattering.glsl"
+#include "surface.glsl"
+
+// What becomes of a beam: the shares that are reflected and let through, and these parts.
+struct LqMeeting {
+    vec4 reflected;
+    vec4 refracted;
+    LqStackBeam kept;
+    LqStackBeam passed;
+};
+
+// What a smooth or rough boundary of roughness `alpha` sends back.
+LqStackBeam lq_mirrored_beam(const LqStackBeam beam, const float alpha,
+                             const LqFacetEffect facets) {
+    if (alpha < LQ_MIN_ALPHA) {
+        return beam;
+    }
+    const float added = lq_lobe_variance(lq_square(alpha * facets.reflected_width));
+    return LqStackBeam(clamp(beam.cosine + facets.reflected_tilt, LQ_LEAST_COSINE, 1.0),
+                       lq_widened(beam.widths, 1.0, added), beam.interfaces, beam.base);
+}
+
+// What of a beam about `cosine` it lets through, into a medium of index `eta` over this one's.
+LqStackBeam lq_bent_beam(const LqStackBeam part, const float cosine, const float alpha,
+                         const float eta, const LqFacetEffect facets) {
+    const float sine_step = lq_sine_from_cosine(part.cosine) - lq_sine_from_cosine(cosine);
+    const float sine = clamp(facets.refracted_sine + sine_step / eta, 0.0, LQ_MOST_SINE);
+    const float refracted = lq_sine_from_cosine(sine);
+    const vec2 roughness = lq_refracted_roughness(part.cosine, refracted, alpha, eta);
+    const float added = lq_lobe_variance(lq_square(roughness.y));
+    return LqStackBeam(refracted, lq_widened(part.widths, lq_square(roughness.x), added),
+                       part.interfaces, part.base);
+}
+
+// A beam crosses a medium of optical depth `depth` and meets an interface of roughness `alpha`,
+// behind which the index is `eta` over this medium's.
+LqMeeting lq_meet_interface(const LqStackBeam beam, const LqStackNodes nodes, const vec3 depth,
+                            const float alpha, const float eta) {
+    const LqCrossedLight crossed = lq_crossed_light(depth, nodes);
+    const LqNodeValues through = lq_stack_transmittance(alpha, eta, nodes);
+    const LqNodeValues back = LqNodeValues(vec4(1.0) - through.low, vec4(1.0) - through.high);
+    const LqPart refracted = lq_crossed_part(beam, nodes, crossed, through);
+    const LqPart reflected = lq_crossed_part(beam, nodes, crossed, back);
+    const LqFacetEffect facets = lq_facet_effect(beam.cosine, alpha, eta);
+    return LqMeeting(reflected.share, refracted.share,
+                     lq_mirrored_beam(lq_part_of(beam, reflected), alpha, facets),
+                     lq_bent_beam(lq_part_of(beam, refracted), beam.cosine, alpha, eta, facets));
+}
+
+// A beam meets a medium that scatters.
+LqMeeting lq_meet_slab(const LqStackBeam beam, const LqStackNodes nodes,
+                       const LqStackMedium medium) {
+    const LqSlab slab = LqSlab(vec4(medium.absorption, 0.0),
+                               vec4(medium.scattering, lq_average(medium.scattering)), medium.g);
+    const LqSlabLight light = lq_slab_light_of_lobe(slab, nodes);
+    const float absorption = 0.25 * dot(slab.absorption, vec4(1.0));
+    const float scattering = 0.25 * dot(slab.scattering, vec4(1.0));
+    return LqMeeting(
+        light.back, light.transmitted,
+        lq_scattered_beam(beam, light.back, lq_back_lobe(scattering, slab.g, beam.cosine)),
+        lq_scattered_beam(beam, light.transmitted,
+                          lq_transmitted_lobe(absorption, scattering, slab.g, beam.cosine)));
+}
+
+// A beam crosses a medium and meets the base: `kept` is what a conductor sends back, or what arrives
+// where there is none.
+LqMeeting lq_meet_base(const LqStackBeam beam, const LqStackNodes nodes, const vec3 depth,
+                       const LqStackSurface surface) {
+    LqCrossedLight left = lq_crossed_light(depth, nodes);
+    LqNodeValues clear = LqNodeValues(vec4(1.0), vec4(1.0));
+    const bool conducts = surface.base == LQ_STACK_BASE_CONDUCTOR;
+    if (conducts) {
+        const bool is_smooth = surface.base_alpha < LQ_MIN_ALPHA;
+        const vec3 reflectance =
+            lq_fresnel_conductor_rgb(beam.cosine, surface.base_eta, surface.base_kappa);
+        const LqConductorAlbedo albedo = surface.base_conductor;
+        left.red = lq_node_product(left.red, lq_conductor_channel(albedo.red, is_smooth,
+                                                                  reflectance.x, beam.cosine,
+                                                                  nodes));
+        left.green = lq_node_product(left.green,
+                                     lq_conductor_channel(albedo.green, is_smooth, reflectance.y,
+                                                          beam.cosine, nodes));
+        left.blue = lq_node_product(left.blue, lq_conductor_channel(albedo.blue, is_smooth,
+                                                                    reflectance.z, beam.cosine,
+                                                                    nodes));
+        clear = LqNodeValues(vec4(0.0), vec4(0.0));
+    }
+    const LqPart part = lq_part(beam, nodes, left.red, left.green, left.blue, clear);
+    LqStackBeam kept = lq_part_of(beam, part);
+    if (conducts) {
+        kept = lq_met_base(
+            lq_mirrored_beam(kept, surface.base_alpha, LqFacetEffect(0.0, 1.0, 0.0)));
+    }
+    return LqMeeting(part.share, vec4(0.0), kept, lq_no_beam());
+}
+
+// A place in a stack: interface n at 2 n, the medium below it at 2 n + 1, the base behind the last.
+int lq_base_place(const LqStackSurface surface) {
+    return 2 * surface.layer_count;
+}
+
+bool lq_is_medium_place(const int place) {
+    return place % 2 == 1;
+}
+
+// Optical depth of the medium that light crosses on its way to an interface or the base at `place`,
+// where that medium only absorbs.
+vec3 lq_crossed_depth(const LqStackSurface surface, const int place, const bool is_down) {
+    const int layer = is_down ? place / 2 - 1 : place / 2;
+    if (layer < 0) {
+        return vec3(0.0);
+    }
+    const LqStackMedium medium = lq_stack_medium(surface.first_row, layer);
+    return lq_scatters(medium) ? vec3(0.0) : medium.absorption;
+}
+
+// What becomes of light that meets what is at `place`, coming from above or from below.
+LqMeeting lq_meet(const LqStackSurface surface, const int place, const bool is_down,
+                  const LqStackBeam beam) {
+    const LqStackNodes nodes = lq_stack_nodes(beam.cosine, lq_safe_sqrt(lq_beam_width(beam)));
+    const bool is_slab = lq_is_medium_place(place);
+    const bool is_base = place == lq_base_place(surface);
+    LqMeeting meeting = LqMeeting(vec4(0.0), vec4(0.0), lq_no_beam(), lq_no_beam());
+    for (int slab = is_slab ? 1 : 0; slab > 0; slab--) {
+        meeting = lq_meet_slab(beam, nodes, lq_stack_medium(surface.first_row, place / 2));
+    }
+    for (int base = is_base ? 1 : 0; base > 0; base--) {
+        meeting = lq_meet_base(beam, nodes, lq_crossed_depth(surface, place, true), surface);
+    }
+    const int interfaces = is_slab || is_base ? 0 : 1;
+    for (int met = interfaces; met > 0; met--) {
+        const LqStackInterface at = lq_stack_interface(surface.first_row, place / 2);
+        meeting = lq_meet_interface(beam, nodes, lq_crossed_depth(surface, place, is_down),
+                                    at.alpha, is_down ? at.eta : 1.0 / at.eta);
+    }
+    return meeting;
+}
+
+#endif
