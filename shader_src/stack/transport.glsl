@@ -121,8 +121,8 @@ LqStackLight lq_stack_light(const LqStackSurface surface, const int kind, const 
         }
         if (!is_down) {
             escaped = lq_merged(escaped, carried);
+            carried = lq_no_beam();
         }
-        carried = is_down ? carried : lq_no_beam();
     }
     light.interfaces_width = escaped.widths.x;
     light.base_width = escaped.widths.y;
