@@ -47,6 +47,7 @@ void run_query(Kernel kernel, const Surface& surface, const KernelParameters& pa
             const auto albedo = surface.albedo(input(0), static_cast<int>(parameters.point_count));
             result(0, albedo.direct, zero);
             result(1, albedo.base, zero);
+            result(2, albedo.transmitted, zero);
             break;
         }
         case Kernel::copy:

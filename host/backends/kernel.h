@@ -11,7 +11,7 @@ enum class Kernel {
     slice,   // wi, with parameters.wo -> (f, pdf)
     sphere,  // wi, wo, with parameters.radiance -> (radiance, 1)
     sample,  // wo, u -> (wi, pdf), (weight, 0)
-    albedo,  // wo, with parameters.point_count -> (direct, 0), (base, 0)
+    albedo,  // wo, with parameters.point_count -> (direct, 0), (base, 0), (transmitted, 0)
     lights,  // wo -> (radiance of parameters.point_count lights, 1): the directions of the queries
              // that follow, around to the first
     copy,    // two rows -> one; moves the bytes of eval and computes nothing
@@ -44,7 +44,7 @@ constexpr KernelShape kernel_shape(Kernel kernel) {
         case Kernel::sample:
             return {"sample", 2, 2};
         case Kernel::albedo:
-            return {"albedo", 1, 2};
+            return {"albedo", 1, 3};
         case Kernel::lights:
             return {"lights", 1, 1};
         case Kernel::copy:

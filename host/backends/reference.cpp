@@ -21,7 +21,7 @@ struct ReferenceSurface {
 
     Vector eval(const Vector& wi, const Vector& wo) const { return shading->eval(wi, wo); }
     Vector eval_cos(const Vector& wi, const Vector& wo) const {
-        return eval(wi, wo) * std::max(wi.z, 0.0);
+        return eval(wi, wo) * std::abs(wi.z);
     }
     ReferenceView view(const Vector& wo) const;
     double pdf(const Vector& wi, const Vector& wo) const { return shading->pdf(wi, wo); }

@@ -50,7 +50,7 @@ struct Arguments {
 struct AlbedoRow {
     double cosine;
     glm::dvec3 direct, base;
-    glm::dvec3 transmitted{0.0};  // the model `plain` transmits nothing
+    glm::dvec3 transmitted;  // 0 but for stacks without a base
 
     glm::dvec3 total() const { return direct + base; }
 };
@@ -81,8 +81,8 @@ std::vector<AlbedoRow> compute(const Arguments& arguments) {
     const JobResult result = shading.backend->run(job);
     std::vector<AlbedoRow> rows;
     for (std::size_t i = 0; i < inputs.size(); ++i)
-        rows.push_back({arguments.cosines[i], glm::dvec3{result.rows[2 * i]},
-                        glm::dvec3{result.rows[2 * i + 1]}});
+        rows.push_back({arguments.cosines[i], glm::dvec3{result.rows[3 * i]},
+                        glm::dvec3{result.rows[3 * i + 1]}, glm::dvec3{result.rows[3 * i + 2]}});
     return rows;
 }
 

@@ -270,7 +270,7 @@ BsdfSample<T> Bsdf<T>::sample(const Vec3<T>& wo, const Vec3<T>& u) const {
 template <typename T>
 DirectionalAlbedo<T> Bsdf<T>::albedo(const Vec3<T>& wo, int point_count) const {
     const shader::LqAlbedo albedo = shading_->albedo(wo, point_count);
-    return {albedo.direct, albedo.base};
+    return {albedo.direct, albedo.base, albedo.transmitted};
 }
 
 template class BsdfView<Real>;

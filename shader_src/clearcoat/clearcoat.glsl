@@ -86,7 +86,7 @@ LqSample lq_clearcoat_sample(const LqOneCoat surface, const vec3 wo, const vec3 
 // `point_count` low-discrepancy samples of each (256 give about three digits). `surface` prepared.
 LqAlbedo lq_clearcoat_albedo(const LqOneCoat surface, const vec3 wo, const int point_count) {
     if (!lq_is_above(wo)) {
-        return LqAlbedo(vec3(0.0), vec3(0.0));
+        return lq_no_albedo();
     }
     const float fresnel = lq_clearcoat_fresnel(surface, wo.z);
     const float share = 1.0 / float(max(point_count, 1));
@@ -96,7 +96,7 @@ LqAlbedo lq_clearcoat_albedo(const LqOneCoat surface, const vec3 wo, const int p
         const vec3 wi = lq_reflection_sample(surface.coat, wo, square);
         direct += share * fresnel * lq_shown_fraction(surface.coat, wi, wo);
     }
-    return LqAlbedo(vec3(direct),
+    return lq_opaque_albedo(vec3(direct),
                     lq_base_albedo(surface, wo, point_count) * (1.0 - fresnel));
 }
 

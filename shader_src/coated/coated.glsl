@@ -99,10 +99,10 @@ LqSample lq_coated_sample(const LqCoatedSurface surface, const vec3 wo, const ve
 // Fraction of light from every direction that the coat and the base send to wo: the tables' own.
 LqAlbedo lq_coated_albedo(const LqCoatedSurface surface, const vec3 wo) {
     if (!lq_is_above(wo)) {
-        return LqAlbedo(vec3(0.0), vec3(0.0));
+        return lq_no_albedo();
     }
     const LqCoatedView viewer = lq_coated_view(surface, wo);
-    return LqAlbedo(vec3(viewer.coat), viewer.base);
+    return lq_opaque_albedo(vec3(viewer.coat), viewer.base);
 }
 
 #endif

@@ -13,10 +13,21 @@ struct LqSample {
 // A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
 const float LQ_MIN_CHOICE = 0.1;
 
-// Directional albedo split by where the light turned back: at the coat or at the base.
+// Directional albedo split by where the light turned back: at the coat or at the base; and what of
+// the light goes through, where no base is.
 struct LqAlbedo {
     vec3 direct;
     vec3 base;
+    vec3 transmitted;
 };
+
+LqAlbedo lq_no_albedo() {
+    return LqAlbedo(vec3(0.0), vec3(0.0), vec3(0.0));
+}
+
+// Of a surface that lets nothing through.
+LqAlbedo lq_opaque_albedo(const vec3 direct, const vec3 base) {
+    return LqAlbedo(direct, base, vec3(0.0));
+}
 
 #endif

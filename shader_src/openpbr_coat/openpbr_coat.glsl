@@ -169,11 +169,11 @@ LqSample lq_openpbr_coat_sample(const LqOpenpbrCoat coated, const vec3 wo, const
 // `point_count` low-discrepancy samples of each (256 give about three digits). `coated` prepared.
 LqAlbedo lq_openpbr_coat_albedo(const LqOpenpbrCoat coated, const vec3 wo, const int point_count) {
     if (!lq_is_above(wo)) {
-        return LqAlbedo(vec3(0.0), vec3(0.0));
+        return lq_no_albedo();
     }
     const vec3 direct = vec3(lq_coat_albedo(coated.surface, wo, point_count));
     if (coated.surface.coat_eta <= 0.0) {
-        return LqAlbedo(direct, lq_base_albedo(coated.surface, wo, point_count));
+        return lq_opaque_albedo(direct, lq_base_albedo(coated.surface, wo, point_count));
     }
     const float share = 1.0 / float(max(point_count, 1));
     vec3 base = vec3(0.0);
@@ -183,7 +183,7 @@ LqAlbedo lq_openpbr_coat_albedo(const LqOpenpbrCoat coated, const vec3 wo, const
         base += lq_base_weight(coated.surface, wi, wo, 1.0) *
                 lq_openpbr_coat_absorption(coated, wi, wo) * share;
     }
-    return LqAlbedo(direct, base * lq_openpbr_coat_attenuation(coated, wo));
+    return lq_opaque_albedo(direct, base * lq_openpbr_coat_attenuation(coated, wo));
 }
 
 #endif

@@ -67,9 +67,9 @@ LqSample lq_plain_sample(const LqOneCoat surface, const vec3 wo, const vec3 u) {
 // `point_count` low-discrepancy samples of each (256 give about three digits). `surface` prepared.
 LqAlbedo lq_plain_albedo(const LqOneCoat surface, const vec3 wo, const int point_count) {
     if (!lq_is_above(wo)) {
-        return LqAlbedo(vec3(0.0), vec3(0.0));
+        return lq_no_albedo();
     }
-    return LqAlbedo(vec3(lq_coat_albedo(surface, wo, point_count)),
+    return lq_opaque_albedo(vec3(lq_coat_albedo(surface, wo, point_count)),
                     lq_base_albedo(surface, wo, point_count));
 }
 

@@ -10,9 +10,11 @@ const float LQ_MOST_G = 0.99;
 const float LQ_LEAST_INDEX = 0.01;
 const float LQ_MOST_INDEX = 100.0;
 
-// An interface: the roughness of its energies, and the index below it over that above.
+// An interface: the roughness of its energies, that of the GGX lobe as wide as its own, and the
+// index below it over that above.
 struct LqStackInterface {
     float alpha;
+    float lobe_alpha;
     float eta;
 };
 
@@ -33,6 +35,12 @@ float lq_stack_energy_alpha(const vec4 row, const float eta) {
     return alpha;
 }
 
+// The isotropic GGX roughness whose lobes are as wide as those of other facets.
+float lq_equivalent_lobe_alpha(const LqFacets facets) {
+    const float alpha = clamp(0.5 * (facets.alpha_x + facets.alpha_y), 0.0, 1.0);
+    return facets.ndf == LQ_NDF_BECKMANN ? alpha * (0.425 + 0.15 * alpha) : alpha;
+}
+
 // The index of the medium below layer n, and of the exterior at -1.
 float lq_stack_index(const int first_row, const int n) {
     if (n < 0) {
@@ -45,7 +53,8 @@ LqStackInterface lq_stack_interface(const int first_row, const int n) {
     const vec4 row = lq_stack_row(first_row + LQ_LAYER_ROWS * n);
     const float index = clamp(row.z, LQ_LEAST_INDEX, LQ_MOST_INDEX);
     const float eta = clamp(index / lq_stack_index(first_row, n - 1), LQ_MIN_ETA, LQ_MAX_ETA);
-    return LqStackInterface(lq_stack_energy_alpha(row, eta), eta);
+    return LqStackInterface(lq_stack_energy_alpha(row, eta),
+                            lq_equivalent_lobe_alpha(LqFacets(int(row.w), row.x, row.y)), eta);
 }
 
 vec3 lq_stack_depths(const vec4 row) {

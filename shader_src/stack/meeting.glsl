@@ -17,7 +17,7 @@ struct LqMeeting {
     LqStackBeam passed;
 };
 
-// What a smooth or rough boundary of roughness `alpha` sends back.
+// What a boundary sends back whose lobes have roughness `alpha`.
 LqStackBeam lq_mirrored_beam(const LqStackBeam beam, const float alpha,
                              const LqFacetEffect facets) {
     if (alpha < LQ_MIN_ALPHA) {
@@ -40,19 +40,30 @@ LqStackBeam lq_bent_beam(const LqStackBeam part, const float cosine, const float
                        part.interfaces, part.base);
 }
 
-// A beam crosses a medium of optical depth `depth` and meets an interface of roughness `alpha`,
-// behind which the index is `eta` over this medium's.
+// A beam crosses a medium of optical depth `depth` and meets an interface, behind which the index is
+// `eta` over this medium's. Where light leaves for good, its direction and width are seen and not
+// only what they make of energies: facets are looked at from the mean of the part that passes.
 LqMeeting lq_meet_interface(const LqStackBeam beam, const LqStackNodes nodes, const vec3 depth,
-                            const float alpha, const float eta) {
+                            const LqStackInterface at, const float eta, const bool leaves) {
     const LqCrossedLight crossed = lq_crossed_light(depth, nodes);
-    const LqNodeValues through = lq_stack_transmittance(alpha, eta, nodes);
+    const LqNodeValues through = lq_stack_transmittance(at.alpha, eta, nodes);
     const LqNodeValues back = LqNodeValues(vec4(1.0) - through.low, vec4(1.0) - through.high);
-    const LqPart refracted = lq_crossed_part(beam, nodes, crossed, through);
     const LqPart reflected = lq_crossed_part(beam, nodes, crossed, back);
-    const LqFacetEffect facets = lq_facet_effect(beam.cosine, alpha, eta);
+    LqPart refracted = lq_crossed_part(beam, nodes, crossed, through);
+    float cosine = beam.cosine;
+    if (leaves) {
+        cosine = refracted.cosine_by_sine;
+        refracted.cosine = cosine;
+    }
+    const LqFacetEffect kept = lq_facet_effect(beam.cosine, at.alpha, eta);
+    LqFacetEffect passed = kept;
+    for (int looks = leaves ? 1 : 0; looks > 0; looks--) {
+        passed = lq_facet_effect(cosine, at.alpha, eta);
+    }
     return LqMeeting(reflected.share, refracted.share,
-                     lq_mirrored_beam(lq_part_of(beam, reflected), alpha, facets),
-                     lq_bent_beam(lq_part_of(beam, refracted), beam.cosine, alpha, eta, facets));
+                     lq_mirrored_beam(lq_part_of(beam, reflected), at.lobe_alpha, kept),
+                     lq_bent_beam(lq_part_of(beam, refracted), cosine, at.lobe_alpha, eta,
+                                  passed));
 }
 
 // A beam meets a medium that scatters.
@@ -97,7 +108,7 @@ LqMeeting lq_meet_base(const LqStackBeam beam, const LqStackNodes nodes, const v
     LqStackBeam kept = lq_part_of(beam, part);
     if (conducts) {
         kept = lq_met_base(
-            lq_mirrored_beam(kept, surface.base_alpha, LqFacetEffect(0.0, 1.0, 0.0)));
+            lq_mirrored_beam(kept, surface.base_lobe_alpha, LqFacetEffect(0.0, 1.0, 0.0)));
     }
     return LqMeeting(part.share, vec4(0.0), kept, lq_no_beam());
 }
@@ -138,8 +149,9 @@ LqMeeting lq_meet(const LqStackSurface surface, const int place, const bool is_d
     const int interfaces = is_slab || is_base ? 0 : 1;
     for (int met = interfaces; met > 0; met--) {
         const LqStackInterface at = lq_stack_interface(surface.first_row, place / 2);
-        meeting = lq_meet_interface(beam, nodes, lq_crossed_depth(surface, place, is_down),
-                                    at.alpha, is_down ? at.eta : 1.0 / at.eta);
+        meeting = lq_meet_interface(beam, nodes, lq_crossed_depth(surface, place, is_down), at,
+                                    is_down ? at.eta : 1.0 / at.eta,
+                                    is_down && place == surface.exit_place);
     }
     return meeting;
 }

@@ -45,8 +45,13 @@ LqStackSurface lq_stack_prepare(const LqStackMaterial material) {
     surface.multiple_scale = LQ_INVERSE_PI / max(average, LQ_STACK_LEAST_MULTIPLE);
 
     surface.base = material.base;
+    const int last = surface.layer_count - 1;
+    const bool is_open = material.base == LQ_STACK_BASE_NONE &&
+                         !lq_scatters(lq_stack_medium(surface.first_row, last));
+    surface.exit_place = is_open ? 2 * last : -1;
     surface.base_albedo = clamp(material.albedo, vec3(0.0), vec3(1.0));
     surface.base_alpha = clamp(0.5 * (material.facets.alpha_x + material.facets.alpha_y), 0.0, 1.0);
+    surface.base_lobe_alpha = lq_equivalent_lobe_alpha(material.facets);
     const vec3 least = vec3(0.0);
     const vec3 most = vec3(LQ_MAX_CONDUCTOR_INDEX);
     surface.base_eta = clamp(material.eta / surface.index, least, most);

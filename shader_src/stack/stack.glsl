@@ -13,39 +13,30 @@
 #include "../core/shading.glsl"
 #include "lobes.glsl"
 
-// f(wi, wo) cos_theta_i for a viewer that `lq_stack_view` knows; 0 unless wi is above the surface.
+// f(wi, wo) |cos_theta_i| for a viewer that `lq_stack_view` knows.
 vec3 lq_stack_view_eval_cos(const LqStackSurface surface, const LqStackView viewer, const vec3 wi) {
-    if (!lq_is_above(wi)) {
-        return vec3(0.0);
-    }
     if (!lq_is_above(viewer.wo)) {
         return vec3(0.0);
     }
-    return lq_stack_value(surface, viewer, wi) * wi.z;
+    return lq_stack_value(surface, viewer, wi) * abs(wi.z);
 }
 
-// f(wi, wo), per steradian; 0 unless both directions are above the surface.
+// f(wi, wo), per steradian; 0 unless wo is above the surface. Below it wi sees what a stack without
+// a base lets through: for radiance over the square of the index, which refraction keeps.
 vec3 lq_stack_eval(const LqStackSurface surface, const vec3 wi, const vec3 wo) {
-    if (!lq_is_above(wi)) {
-        return vec3(0.0);
-    }
     if (!lq_is_above(wo)) {
         return vec3(0.0);
     }
     return lq_stack_value(surface, lq_stack_view(surface, wo), wi);
 }
 
-// f(wi, wo) cos_theta_i.
+// f(wi, wo) |cos_theta_i|.
 vec3 lq_stack_eval_cos(const LqStackSurface surface, const vec3 wi, const vec3 wo) {
-    return lq_stack_eval(surface, wi, wo) * max(wi.z, 0.0);
+    return lq_stack_eval(surface, wi, wo) * abs(wi.z);
 }
 
-// Density per solid angle with which `lq_stack_sample` chooses wi; 0 unless both directions are
-// above the surface.
+// Density per solid angle with which `lq_stack_sample` chooses wi; 0 unless wo is above the surface.
 float lq_stack_pdf(const LqStackSurface surface, const vec3 wi, const vec3 wo) {
-    if (!lq_is_above(wi)) {
-        return 0.0;
-    }
     if (!lq_is_above(wo)) {
         return 0.0;
     }
@@ -59,26 +50,26 @@ LqSample lq_stack_sample(const LqStackSurface surface, const vec3 wo, const vec3
         return LqSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0);
     }
     const LqStackView viewer = lq_stack_view(surface, wo);
-    const vec3 wi = lq_stack_direction(surface, viewer, u);
-    if (!lq_is_above(wi)) {
-        return LqSample(wi, vec3(0.0), 0.0);
-    }
-    const float pdf = lq_stack_density(surface, viewer, wi);
+    const LqStackChoice chosen = lq_stack_direction(surface, viewer, u);
+    const float pdf =
+        chosen.is_of_its_lobe ? lq_stack_density(surface, viewer, chosen.wi) : 0.0;
     if (pdf <= 0.0) {
-        return LqSample(wi, vec3(0.0), 0.0);
+        return LqSample(chosen.wi, vec3(0.0), 0.0);
     }
-    return LqSample(wi, lq_stack_value(surface, viewer, wi) * (wi.z / pdf), pdf);
+    return LqSample(chosen.wi,
+                    lq_stack_value(surface, viewer, chosen.wi) * (abs(chosen.wi.z) / pdf), pdf);
 }
 
-// Fraction of light from every direction that is sent to wo: by interfaces alone, and by way of the
-// base.
+// Fraction of light from every direction that is sent to wo: by interfaces alone, by way of the
+// base, and from below where no base is.
 LqAlbedo lq_stack_albedo(const LqStackSurface surface, const vec3 wo) {
     if (!lq_is_above(wo)) {
-        return LqAlbedo(vec3(0.0), vec3(0.0));
+        return lq_no_albedo();
     }
     const LqStackView viewer = lq_stack_view(surface, wo);
-    return LqAlbedo(vec3(viewer.top) + viewer.interfaces.energy,
-                    lq_stack_base_albedo(viewer));
+    const bool is_open = surface.base == LQ_STACK_BASE_NONE;
+    return LqAlbedo(vec3(viewer.top) + viewer.interfaces.energy, lq_stack_base_albedo(viewer),
+                    is_open ? viewer.straight.energy + viewer.detoured.energy : vec3(0.0));
 }
 
 #endif

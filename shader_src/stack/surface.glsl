@@ -8,7 +8,8 @@
 #include "layers.glsl"
 
 // `level_count` counts what light meets above the base: interfaces, and media that scatter.
-// `index` is that of the medium above the base. `base_alpha`, `base_eta` and `base_kappa` are a
+// `exit_place` is where light leaves that goes through (lq_meet), -1 where none does. `index` is that
+// of the medium above the base. `base_alpha`, `base_lobe_alpha`, `base_eta` and `base_kappa` are a
 // conductor's, relative to that medium, and `base_conductor` what it reflects; `base_albedo` is a
 // Lambertian base's.
 // `top` and `top_eta` are the top interface's lobe, `top_critical`, `top_above` and `top_below` what
@@ -19,9 +20,11 @@ struct LqStackSurface {
     int layer_count;
     int level_count;
     int base;
+    int exit_place;
     float index;
     vec3 base_albedo;
     float base_alpha;
+    float base_lobe_alpha;
     vec3 base_eta;
     vec3 base_kappa;
     LqConductorAlbedo base_conductor;

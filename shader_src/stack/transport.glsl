@@ -31,17 +31,24 @@ const int LQ_STACK_WAYS = 4;
 #define LQ_SHARE_ROWS 4
 
 // `top` is what the top interface reflects. The other light that leaves at the top: of lobes
-// reflected by lower interfaces at most, and by the base. `arrived` at the bottom for the first
-// time, where no conductor is; `returning` what of diffuse light from there comes back.
+// reflected by lower interfaces at most, and by the base. What arrives at the bottom for the first
+// time, where no conductor is: `straight` what came straight down, `detoured` what was reflected on
+// the way. `returning` is what of diffuse light from there comes back.
 struct LqStackLight {
     float top;
     vec4 interfaces;
     float interfaces_width;
     vec4 base;
     float base_width;
-    vec4 arrived;
+    LqStackBeam straight;
+    LqStackBeam detoured;
     vec4 returning;
 };
+
+LqStackLight lq_no_light() {
+    return LqStackLight(0.0, vec4(0.0), 0.0, vec4(0.0), 0.0, lq_no_beam(), lq_no_beam(),
+                        vec4(0.0));
+}
 
 // Light as it begins: diffuse light is the widest lobe about the normal.
 LqStackBeam lq_first_beam(const int kind, const float cosine) {
@@ -68,8 +75,7 @@ LqStackLight lq_stack_light(const LqStackSurface surface, const int kind, const 
     vec4 base_share = vec4(0.0);
     LqStackBeam carried = lq_first_beam(kind, cosine);
     LqStackBeam escaped = lq_no_beam();
-    LqStackLight light =
-        LqStackLight(0.0, vec4(0.0), 0.0, vec4(0.0), 0.0, vec4(0.0), vec4(0.0));
+    LqStackLight light = lq_no_light();
     const int first_way = kind == LQ_LIGHT_FROM_BELOW ? 1 : 0;
     const int ways = kind == LQ_LIGHT_FROM_BELOW ? 3 : LQ_STACK_WAYS;
     int zone = first_way == 0 ? 0 : bottom;
@@ -97,8 +103,10 @@ LqStackLight lq_stack_light(const LqStackSurface surface, const int kind, const 
                     left = lq_no_beam();
                     if (conducts) {
                         carried = meeting.kept;
+                    } else if (way == 0) {
+                        light.straight = meeting.kept;
                     } else {
-                        light.arrived += meeting.kept.interfaces + meeting.kept.base;
+                        light.detoured = lq_merged(light.detoured, meeting.kept);
                     }
                 } else {
                     const int level = is_down ? zone : zone - 1;
@@ -160,7 +168,7 @@ LqStackLight lq_stack_light(const LqStackSurface surface, const int kind, const 
                 lq_mirror_behind(shares[from_below], shares[from_below + 1], mirror_above,
                                  shares[from_above + 1], shares[from_above]);
         }
-        light.arrived += arriving * base_share;
+        light.detoured.interfaces += arriving * base_share;
         light.returning = mirror_above * base_share;
     }
     return light;

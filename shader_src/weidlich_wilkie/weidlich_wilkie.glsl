@@ -126,7 +126,7 @@ LqSample lq_weidlich_wilkie_sample(const LqOneCoat surface, const vec3 wo, const
 // `point_count` low-discrepancy samples of each (256 give about three digits). `surface` prepared.
 LqAlbedo lq_weidlich_wilkie_albedo(const LqOneCoat surface, const vec3 wo, const int point_count) {
     if (!lq_is_above(wo)) {
-        return LqAlbedo(vec3(0.0), vec3(0.0));
+        return lq_no_albedo();
     }
     const float share = 1.0 / float(max(point_count, 1));
     vec3 base = vec3(0.0);
@@ -139,7 +139,7 @@ LqAlbedo lq_weidlich_wilkie_albedo(const LqOneCoat surface, const vec3 wo, const
             }
         }
     }
-    return LqAlbedo(vec3(lq_coat_albedo(surface, wo, point_count)), base);
+    return lq_opaque_albedo(vec3(lq_coat_albedo(surface, wo, point_count)), base);
 }
 
 #endif

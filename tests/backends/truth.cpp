@@ -48,6 +48,7 @@ Rows expected_albedos(const Job& job) {
                 .albedo(glm::dvec3{job.inputs[query]}, point_count);
         expected.emplace_back(albedo.direct, 0.0);
         expected.emplace_back(albedo.base, 0.0);
+        expected.emplace_back(albedo.transmitted, 0.0);
     }
     return expected;
 }

@@ -20,7 +20,7 @@ constexpr double kRelative = 3e-3;
 constexpr double kTypical = 1e-6;  // in the median
 constexpr double kEnergy = 2e-6;
 #else
-constexpr double kRelative = 1e-9;
+constexpr double kRelative = 2e-7;  // Beckmann's masking is a fit to 1e-7; GGX alone needs 1e-9
 constexpr double kTypical = 1e-11;
 constexpr double kEnergy = 1e-10;
 #endif
@@ -28,12 +28,6 @@ constexpr double kEnergy = 1e-10;
 const EnergyTables& tables() {
     static const EnergyTables all{std::filesystem::path{BAKED_TABLES}};
     return all;
-}
-
-// Whether the shader source has all of a stack's lobes: none of transmission yet, without which it
-// chooses among fewer.
-bool has_all_lobes(const Material& material) {
-    return !std::holds_alternative<NoBase>(material.base);
 }
 
 class RandomStacks {
@@ -47,8 +41,7 @@ class RandomStacks {
         Material material;
         const int count = 1 + static_cast<int>(uniform(0.0, 4.0));
         for (int n = 0; n < count; ++n) {
-            const Microsurface facets{Ndf::ggx, pair(alpha())};
-            Layer layer{{uniform(0.8, 2.2), facets}, AbsorbingMedium{rgb(0.3, 1.0)}};
+            Layer layer{{uniform(0.8, 2.2), facets()}, AbsorbingMedium{rgb(0.3, 1.0)}};
             if (uniform(0.0, 3.0) < 1.0)
                 layer.medium =
                     ScatteringMedium{rgb(0.0, 0.5), rgb(0.0, 3.0), uniform(-0.5, 0.95), 1.0};
@@ -60,8 +53,7 @@ class RandomStacks {
         else if (base < 2.0)
             material.base = LambertianBase{rgb(0.0, 1.0)};
         else
-            material.base =
-                ConductorBase{rgb(0.1, 3.0), rgb(0.5, 8.0), Microsurface{Ndf::ggx, pair(alpha())}};
+            material.base = ConductorBase{rgb(0.1, 3.0), rgb(0.5, 8.0), facets()};
         return material;
     }
 
@@ -72,9 +64,11 @@ class RandomStacks {
     }
 
  private:
-    // Every fourth smooth.
-    double alpha() { return uniform(0.0, 4.0) < 1.0 ? 0.0 : uniform(0.002, 0.8); }
-    static std::array<double, 2> pair(double alpha) { return {alpha, alpha}; }
+    // Every fourth smooth, every fourth Beckmann's.
+    Microsurface facets() {
+        const double kind = uniform(0.0, 4.0), alpha = kind < 1.0 ? 0.0 : uniform(0.002, 0.8);
+        return {kind > 3.0 ? Ndf::beckmann : Ndf::ggx, {alpha, alpha}};
+    }
     Rgb rgb(double low, double high) {
         return {uniform(low, high), uniform(low, high), uniform(low, high)};
     }
@@ -87,8 +81,8 @@ shader::vec3 to_vec(const Rgb& rgb) {
 }
 
 shader::LqFacets to_facets(const Microsurface& facets) {
-    return {shader::LQ_NDF_GGX, static_cast<shader::Real>(facets.alpha[0]),
-            static_cast<shader::Real>(facets.alpha[1])};
+    return {facets.ndf == Ndf::ggx ? shader::LQ_NDF_GGX : shader::LQ_NDF_BECKMANN,
+            static_cast<shader::Real>(facets.alpha[0]), static_cast<shader::Real>(facets.alpha[1])};
 }
 
 std::vector<shader::vec4> to_rows(const Material& material) {
@@ -96,7 +90,7 @@ std::vector<shader::vec4> to_rows(const Material& material) {
     for (const Layer& layer : material.layers) {
         const auto& facets = std::get<Microsurface>(layer.interface.roughness);
         rows.emplace_back(facets.alpha[0], facets.alpha[1], layer.interface.ior,
-                          shader::LQ_NDF_GGX);
+                          to_facets(facets).ndf);
         if (const auto* absorbing = std::get_if<AbsorbingMedium>(&layer.medium)) {
             const Rgb& tau = absorbing->tau;
             rows.emplace_back(-std::log(tau[0]), -std::log(tau[1]), -std::log(tau[2]), 0.0);
@@ -146,17 +140,17 @@ TEST(ShaderStack, AgreesWithTheReference) {
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(albedo.direct[c], expected.direct[c], kEnergy) << "stack " << n;
             EXPECT_NEAR(albedo.base[c], expected.base[c], kEnergy) << "stack " << n;
+            EXPECT_NEAR(albedo.transmitted[c], expected.transmitted[c], kEnergy) << "stack " << n;
         }
         for (int light = 0; light < 16; ++light) {
             const glm::dvec3 u{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
             const glm::dvec3 wi =
                 light % 2 == 0 ? random.direction(0.02) : reference::sample(truth, wo, u).wi;
-            if (wi.z < 0.01) continue;
+            if (std::abs(wi.z) < 0.01) continue;
             const glm::dvec3 f = reference::eval(truth, wi, wo);
             const shader::vec3 value =
                 shader::lq_stack_eval(surface, shader::vec3{wi}, shader::vec3{wo});
             for (int c = 0; c < 3; ++c) errors.push_back(relative_error(value[c], f[c]));
-            if (!has_all_lobes(material)) continue;
             errors.push_back(
                 relative_error(shader::lq_stack_pdf(surface, shader::vec3{wi}, shader::vec3{wo}),
                                reference::pdf(truth, wi, wo)));
@@ -174,12 +168,11 @@ TEST(ShaderStack, SamplesLikeTheReference) {
 #ifdef LACQUER_TEST_FLOAT
     constexpr double kDirection = 1e-3;
 #else
-    constexpr double kDirection = 1e-7;
+    constexpr double kDirection = 2e-7;  // Beckmann's normals come from a fit of the inverse of erf
 #endif
     RandomStacks random;
     for (int n = 0; n < 100; ++n) {
         const Material material = random.next();
-        if (!has_all_lobes(material)) continue;
         const auto truth = reference::prepare_stack(material, tables());
         const std::vector<shader::vec4> rows = to_rows(material);
         shader::stack_rows = rows.data();

@@ -27,8 +27,9 @@ struct BsdfSample {
 // that conserves energy; `plain` and `weidlich-wilkie` may exceed 1 in sum.
 template <typename Real>
 struct DirectionalAlbedo {
-    Vec3<Real> direct;  // never reached the base
-    Vec3<Real> base;    // reflected by the base
+    Vec3<Real> direct;       // never reached the base
+    Vec3<Real> base;         // reflected by the base
+    Vec3<Real> transmitted;  // left below, where no base is
 };
 
 // A viewer of a surface, for any number of lights. Immutable and cheap to copy; it may outlive the
