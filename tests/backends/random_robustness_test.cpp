@@ -52,6 +52,8 @@ class Chooser {
                          : uniform();
     }
 
+    double g() { return one_in(4) ? one_of({-0.99, 0.0, 0.99}) : 1.98 * uniform() - 0.99; }
+
     double eta() {
         if (one_in(4))
             return one_of(
@@ -84,6 +86,9 @@ class Chooser {
             material.layers.push_back({{std::clamp(ior, above / 3.0, above * 3.0),
                                         Microsurface{Ndf::ggx, {alpha(), alpha()}}},
                                        AbsorbingMedium{shares()}});
+            if (one_in(4))
+                material.layers.back().medium = ScatteringMedium{
+                    shares(), {5.0 * share(), 5.0 * share(), 5.0 * share()}, g(), 1.0};
             material.name += fmt::format(", index {} below", ior);
         }
         if (one_in(4)) material.base = NoBase{};
@@ -172,9 +177,10 @@ double largest_albedo(const OwnedJob& owned, const JobResult& result) {
     const double most = owned.model == Model::stack ? kMostStackAlbedo : kMostAlbedo;
     double largest = 0.0;
     std::size_t where = 0;
-    for (std::size_t query = 0; 2 * query < result.rows.size(); ++query)
+    for (std::size_t query = 0; 3 * query < result.rows.size(); ++query)
         for (int c = 0; c < 3; ++c) {
-            const double albedo = result.rows[2 * query][c] + result.rows[2 * query + 1][c];
+            const double albedo = result.rows[3 * query][c] + result.rows[3 * query + 1][c] +
+                                  result.rows[3 * query + 2][c];
             if (albedo <= largest) continue;
             largest = albedo;
             where = query;
