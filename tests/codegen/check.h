@@ -30,7 +30,7 @@ std::string glsl_complaint(const std::string& text, std::string_view stage);
 std::string hlsl_complaint(const std::string& text, std::string_view stage);
 
 // The function that users of a library that reads tables supply, empty for other files.
-std::string table_access(const codegen::ShaderFile& file);
+std::string stand_ins(const codegen::ShaderFile& file);
 
 // What makes `file` a shader of its own: functions get an empty main around them.
 std::string as_shader(const codegen::ShaderFile& file);

@@ -60,7 +60,7 @@ TEST(Compile, NagaRefusesWhatIsNotWgsl) {
 std::string msl_complaint(const ShaderFile& file) {
     const TemporaryFolder folder;
     const std::filesystem::path source = folder / "shader.cpp";
-    write_file(source, table_access(file) + file.contents);
+    write_file(source, stand_ins(file) + file.contents);
     const ProcessResult result = run_process(
         CXX_COMPILER, {"-std=c++20", "-fsyntax-only", "-D_MSC_EXTENSIONS", "-Wno-attributes",
                        "-fsingle-precision-constant", "-I", MSL_SHIM, source.string()});
