@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "cli/commands.h"
 #include "cli/material_argument.h"
@@ -30,13 +32,13 @@ constexpr const char* kHelp =
     "off; Escape closes the window.\n\n"
     "Examples:\n"
     "  lacquer view --material gold\n"
-    "  lacquer view --material celadon --model coated-exact\n"
+    "  lacquer view --material celadon --model plain\n"
     "  lacquer view --material mine.json --device nvidia\n"
     "  xvfb-run lacquer view --material gold --screenshot gold.png";
 
 struct Arguments {
     std::string material = kDefaultMaterial;
-    std::string model = "plain";
+    std::optional<std::string> model;
     std::vector<double> light;
     BackendOptions device;
     viewer::Options options;
@@ -65,8 +67,10 @@ void run(Arguments& arguments) {
         require_writable(options.screenshot);
     }
     load_materials(arguments.material, options);
-    options.model = model_from_name(arguments.model);
-    require_shadeable(options.materials[options.first_material], options.model);
+    if (arguments.model) {
+        options.model = model_from_name(*arguments.model);
+        require_shadeable(options.materials[options.first_material], options.model);
+    }
     viewer::run(options);
 }
 
@@ -80,8 +84,8 @@ void add_view_command(CLI::App& app) {
         ->capture_default_str();
     command
         ->add_option("--model", arguments->model,
-                     "How materials are shaded; those that it cannot shade by 'plain'")
-        ->capture_default_str();
+                     "How materials are shaded; those that it cannot shade by 'stack' or 'plain'")
+        ->default_str(std::string{model_name(options.model)});
     add_device_options(*command, arguments->device);
     command
         ->add_option("--light", arguments->light,

@@ -54,7 +54,9 @@ std::array<glm::vec4, kSurfaceRows> surface_of(const Material& material, Model m
 }
 
 Model model_for(const Material& material, Model wanted) {
-    return why_not_shadeable(material, wanted) ? Model::plain : wanted;
+    for (const Model model : {wanted, Model::stack})
+        if (!why_not_shadeable(material, model)) return model;
+    return Model::plain;
 }
 
 Model next_model(const Material& material, Model model) {

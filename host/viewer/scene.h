@@ -40,7 +40,8 @@ glm::vec3 default_light();
 // The packed rows of `material`, the rest 0. Throws Error where `model` cannot shade it.
 std::array<glm::vec4, kSurfaceRows> surface_of(const Material& material, Model model);
 
-// `wanted` where it can shade `material`, otherwise `plain`.
+// `wanted` where it can shade `material`; otherwise `stack`, which leaves nothing out, or `plain`,
+// which can shade anything but blends.
 Model model_for(const Material& material, Model wanted);
 
 // The model after `model`, of those that can shade `material`.

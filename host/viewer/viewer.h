@@ -17,10 +17,10 @@ namespace lacquer::viewer {
 struct Options {
     std::vector<Material> materials;  // at least one
     std::size_t first_material = 0;
-    Model model = Model::plain;  // for materials that it can shade; `plain` for the others
-    std::string device;          // part of a Vulkan device's name, or its index; empty: lavapipe
-    bool validation = false;     // Vulkan validation layers; any message is an Error
-    int size = 800;              // pixels of either side of the window, in [64, 4096]
+    Model model = Model::coated_exact;  // what model_for (scene.h) makes of it for each material
+    std::string device;       // part of a Vulkan device's name, or its index; empty: lavapipe
+    bool validation = false;  // Vulkan validation layers; any message is an Error
+    int size = 800;           // pixels of either side of the window, in [64, 4096]
     // The direction towards the only light (unit). Without one there is a light that people move,
     // and two dim ones behind the sphere.
     std::optional<glm::vec3> light;

@@ -68,6 +68,12 @@ TEST(Models, follow_each_other_as_far_as_they_can_shade_the_material) {
     }
 }
 
+TEST(Models, that_shade_one_layer_leave_more_to_the_stack) {
+    const Material coated_twice{"coated twice", 1.0, {Layer{}, Layer{}}, LambertianBase{}, {}};
+    EXPECT_EQ(model_for(coated_twice, Model::coated_exact), Model::stack);
+    EXPECT_EQ(model_for(coated_twice, Model::plain), Model::plain);
+}
+
 TEST(SphereView, has_one_light_without_the_rim_lights) {
     EXPECT_EQ(
         sphere_view({.light = default_light(), .rim_lights = false}, kWidth, kHeight).light_count,

@@ -107,17 +107,17 @@ TEST_P(Screenshot, is_the_reference_s_picture_of_the_material) {
     EXPECT_LE(largest, kTolerance_levels);
 }
 
-INSTANTIATE_TEST_SUITE_P(Materials, Screenshot,
-                         testing::Values(Picture{"gold", Model::plain},
-                                         Picture{"aluminium", Model::plain},
-                                         Picture{"porcelain", Model::plain},
-                                         Picture{"frosted_glass", Model::plain},
-                                         Picture{"lacquered_copper", Model::plain},
-                                         Picture{"red_plastic", Model::openpbr_coat},
-                                         Picture{"celadon", Model::coated_exact},
-                                         Picture{"porcelain", Model::coated_ggx},
-                                         Picture{"air_film_underwater", Model::coated_exact}),
-                         [](const auto& test) { return name_of(test.param); });
+INSTANTIATE_TEST_SUITE_P(
+    Materials, Screenshot,
+    testing::Values(
+        Picture{"gold", Model::plain}, Picture{"aluminium", Model::plain},
+        Picture{"porcelain", Model::plain}, Picture{"frosted_glass", Model::plain},
+        Picture{"lacquered_copper", Model::plain}, Picture{"red_plastic", Model::openpbr_coat},
+        Picture{"celadon", Model::coated_exact}, Picture{"porcelain", Model::coated_ggx},
+        Picture{"air_film_underwater", Model::coated_exact},
+        Picture{"two_tone_car_paint", Model::stack}, Picture{"frosted_metal", Model::stack},
+        Picture{"pearl_over_gold", Model::stack}, Picture{"five_layer_furnace", Model::stack}),
+    [](const auto& test) { return name_of(test.param); });
 
 TEST(View, draws_frame_after_frame_without_validation_messages) {
     if (std::string{LACQUER_XVFB_RUN}.empty()) GTEST_SKIP() << "xvfb-run is not installed";
