@@ -85,7 +85,8 @@ async function materialsSheet(browser) {
 }
 
 async function figurePicture(browser, { panel, title, width }, report) {
-    const page = await browser.newPage({ viewport: { width: width + 200, height: 1200 } });
+    const viewport = { width: width + 200, height: 1200 };
+    const page = await browser.newPage({ viewport, colorScheme: "dark" });
     await page.goto(pathToFileURL(resolve(report, "report.html")).href);
     await page.addStyleTag({
         content: `.panel { width: ${width}px; margin: 0; padding: 18px; box-sizing: border-box; }`,
