@@ -46,9 +46,9 @@ LqConductorAlbedo lq_conductor_albedo(const bool conducts, const float alpha, co
         const LqOctet terms = lq_conductor_material(eta[channel], kappa[channel]);
         LqOctet sum = nothing;
         for (int k = 0; k < LQ_CONDUCTOR_TERMS; k++) {
-            const float term = k < 4 ? terms.low[k] : terms.high[k - 4];
             sum = lq_octet_sum(
-                sum, lq_table_read_line(row, LQ_CONDUCTOR_TERMS, LQ_CONDUCTOR_FACETS + k), term);
+                sum, lq_table_read_line(row, LQ_CONDUCTOR_TERMS, LQ_CONDUCTOR_FACETS + k),
+                lq_octet_number(terms, k));
         }
         albedo.red = albedo.green;
         albedo.green = albedo.blue;

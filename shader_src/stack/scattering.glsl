@@ -81,7 +81,7 @@ LqSlabLight lq_slab_light_of_lobe(const LqSlab slab, const LqStackNodes nodes) {
     vec4 transmitted = vec4(0.0);
     vec4 back = vec4(0.0);
     for (int n = 0; n < 7; n++) {
-        const float cosine = n < 4 ? nodes.low[n] : nodes.high[n - 4];
+        const float cosine = lq_octet_number(LqOctet(nodes.low, nodes.high), n);
         const LqSlabLight light = lq_slab_light(slab, cosine);
         transmitted += light.transmitted * LQ_NODE_WEIGHT;
         back += light.back * LQ_NODE_WEIGHT;

@@ -42,6 +42,15 @@ LqOctet lq_table_octet(const int index) {
     return LqOctet(vec4(a.x, a.y, b.x, b.y), vec4(c.x, c.y, d.x, d.y));
 }
 
+// Number n of the eight.
+float lq_octet_number(const LqOctet octet, const int n) {
+    vec4 half_of_them = octet.low;
+    if (n > 3) {
+        half_of_them = octet.high;
+    }
+    return half_of_them[n % 4];
+}
+
 // `position` in [0, size - 1].
 LqSegment lq_table_segment(const float position, const int size) {
     const float inside = clamp(position, 0.0, float(size - 1));
