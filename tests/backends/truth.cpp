@@ -28,9 +28,13 @@ Rows expected_samples(const Job& job, const Rows& rows) {
     const Rows evaluated = reference_rows(at_samples.job());
     at_samples.kernel = Kernel::sphere;  // times cos_theta_i
     const Rows lit = reference_rows(at_samples.job());
+    const Rows chosen = reference_rows(job);
     Rows expected;
     for (std::size_t query = 0; query < job.query_count(); ++query) {
-        const double pdf = evaluated[query].w;
+        // A lobe may choose a direction on the other side of the surface, where it has no light
+        // but another lobe has: such a sample is lost, for the reference too.
+        const bool is_lost = rows[2 * query].w == 0.0 && chosen[2 * query].w == 0.0;
+        const double pdf = is_lost ? 0.0 : evaluated[query].w;
         const glm::dvec3 weight{lit[query]};
         expected.emplace_back(glm::dvec3{rows[2 * query]}, pdf);
         expected.emplace_back(pdf > 0.0 ? weight / pdf : glm::dvec3{0.0}, 0.0);
