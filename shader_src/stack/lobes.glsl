@@ -119,9 +119,12 @@ vec3 lq_stack_lobe_value(const LqStackLobe lobe, const vec3 wi) {
     return lobe.energy * (lobe.scale * lq_reflection_lobe(lq_lobe_facets(lobe), wi, lobe.about));
 }
 
-// f of what leaves below the surface, on whose side wi is.
+// f of what leaves below the surface; 0 unless wi is on that side.
 vec3 lq_stack_value_below(const LqStackView viewer, const vec3 wi) {
     const vec3 mirrored = vec3(wi.x, wi.y, -wi.z);
+    if (!lq_is_above(mirrored)) {
+        return vec3(0.0);
+    }
     return lq_stack_lobe_value(viewer.straight, mirrored) +
            lq_stack_lobe_value(viewer.detoured, mirrored);
 }
@@ -129,7 +132,7 @@ vec3 lq_stack_value_below(const LqStackView viewer, const vec3 wi) {
 // f(wi, wo) of a viewer, who is above the surface.
 vec3 lq_stack_value(const LqStackSurface surface, const LqStackView viewer, const vec3 wi) {
     if (!lq_is_above(wi)) {
-        return wi.z < 0.0 ? lq_stack_value_below(viewer, wi) : vec3(0.0);
+        return lq_stack_value_below(viewer, wi);
     }
     vec3 f = vec3(lq_stack_top(surface, viewer, wi)) + lq_stack_lobe_value(viewer.interfaces, wi) +
              lq_stack_lobe_value(viewer.base, wi);
@@ -161,7 +164,8 @@ vec4 lq_stack_choices(const LqStackSurface surface, const LqStackView viewer) {
     if (sum <= 0.0) {
         return vec4(1.0, 0.0, 0.0, 0.0);
     }
-    return (1.0 - LQ_MIN_CHOICE) / sum * light +
+    // Divided first: the sum may be too small for its inverse to be finite.
+    return (1.0 - LQ_MIN_CHOICE) * (light / sum) +
            LQ_MIN_CHOICE / dot(present, vec4(1.0)) * present;
 }
 
@@ -185,7 +189,7 @@ float lq_stack_density(const LqStackSurface surface, const LqStackView viewer, c
         const vec3 mirrored = vec3(wi.x, wi.y, -wi.z);
         const float density = choices.z * lq_stack_lobe_density(viewer.straight, mirrored) +
                               choices.w * lq_stack_lobe_density(viewer.detoured, mirrored);
-        return is_open && wi.z < 0.0 ? density : 0.0;
+        return is_open && lq_is_above(mirrored) ? density : 0.0;
     }
     const float once = lq_stack_once_choice(viewer);
     const float diffuse = lq_cosine_hemisphere_pdf(wi.z);

@@ -2,7 +2,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL ES 3.10, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 b240fc995199044bac30bee4cc279ee1a13b2b2c029106fc9c7bb2abbe5d1a31.
+// Generated; source sha256 292a5841bd8932c0d0f3be5f145abfc4783cb8db2b18c30eac0123c413c521c4.
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
@@ -68,6 +68,10 @@ struct LqOneCoat {
     vec3 kappa;
 };
 
+layout(binding = 1, std430) readonly buffer LqSurfaces {
+    vec4 rows[];
+} surfaces;
+
 layout(binding = 2, std430) readonly buffer LqInputs {
     vec4 rows[];
 } inputs;
@@ -81,13 +85,14 @@ layout(binding = 0, std140) uniform LqKernelParameters {
     vec4 radiance;
 } parameters;
 
-layout(binding = 1, std430) readonly buffer LqSurfaces {
-    vec4 rows[];
-} surfaces;
-
 layout(binding = 3, std430) buffer LqResults {
     vec4 rows[];
 } results;
+
+// Row `index` of the packed surfaces: what unpacks them works for any buffer.
+vec4 lq_packed_row(uint index) {
+    return surfaces.rows[index];
+}
 
 vec3 lq_input_vector(uint row) {
     return inputs.rows[row].xyz;
@@ -408,18 +413,21 @@ float lq_plain_pdf(LqOneCoat surface, vec3 wi, vec3 wo) {
     return lq_one_coat_pdf(surface, lq_plain_coat_choice(surface, wo), wi, wo);
 }
 
-// The surface that six packed rows describe.
-LqOneCoat lq_one_coat_unpack(vec4 coat, vec4 base, vec4 albedo, vec4 eta, vec4 kappa,
-        vec4 optical_depth) {
+// The surface whose rows begin at `first`.
+LqOneCoat lq_one_coat_unpack(uint first) {
+    vec4 coat = lq_packed_row(first);
+    vec4 base = lq_packed_row(first + 1u);
+    vec4 albedo = lq_packed_row(first + 2u);
+    vec4 eta = lq_packed_row(first + 3u);
+    vec4 kappa = lq_packed_row(first + 4u);
+    vec4 optical_depth = lq_packed_row(first + 5u);
     return LqOneCoat(LqFacets(int(coat.w), coat.x, coat.y), coat.z, optical_depth.xyz, int(base.z),
         albedo.xyz, LqFacets(int(base.w), base.x, base.y), eta.xyz, kappa.xyz);
 }
 
 LqOneCoat lq_model_surface(uint query) {
     uint row = query / parameters.queries_per_surface * 6u;
-    return lq_plain_prepare(
-        lq_one_coat_unpack(surfaces.rows[row], surfaces.rows[row + 1u], surfaces.rows[row + 2u],
-        surfaces.rows[row + 3u], surfaces.rows[row + 4u], surfaces.rows[row + 5u]));
+    return lq_plain_prepare(lq_one_coat_unpack(row));
 }
 
 // Inputs: wi, wo per query. Results: (f, pdf).

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL ES 3.10, functions only, for a shader with `precision highp float; precision highp int;`.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 fef43e343458d8f3d3eb5800f169cf449be0c4d35ac4c708a8672b26ff08e14a.
+// Generated; source sha256 588f75a523f445f5df0a560cc6d1fbc7f3cbd04bf29f909d92b43ee69b559f73.
 //
 // Directions are unit vectors in a local frame whose z is the normal: wi towards the light, wo
 // towards the viewer, wm a facet normal. f is the BSDF per steradian without the cosine; a name
@@ -205,11 +205,22 @@ struct LqSample {
 // A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
 const float LQ_MIN_CHOICE = 0.1;
 
-// Directional albedo split by where the light turned back: at the coat or at the base.
+// Directional albedo split by where the light turned back: at the coat or at the base; and what of
+// the light goes through, where no base is.
 struct LqAlbedo {
     vec3 direct;
     vec3 base;
+    vec3 transmitted;
 };
+
+LqAlbedo lq_no_albedo() {
+    return LqAlbedo(vec3(0.0), vec3(0.0), vec3(0.0));
+}
+
+// Of a surface that lets nothing through.
+LqAlbedo lq_opaque_albedo(vec3 direct, vec3 base) {
+    return LqAlbedo(direct, base, vec3(0.0));
+}
 
 // Reflectance of a smooth boundary between a dielectric and a conductor, unpolarised light.
 // Based on: Born and Wolf 1999, Principles of Optics, section 14.2
@@ -819,8 +830,8 @@ LqSample lq_plain_sample(LqOneCoat surface, vec3 wo, vec3 u) {
 // `point_count` low-discrepancy samples of each (256 give about three digits). `surface` prepared.
 LqAlbedo lq_plain_albedo(LqOneCoat surface, vec3 wo, int point_count) {
     if (!lq_is_above(wo)) {
-        return LqAlbedo(vec3(0.0), vec3(0.0));
+        return lq_no_albedo();
     }
-    return LqAlbedo(vec3(lq_coat_albedo(surface, wo, point_count)),
+    return lq_opaque_albedo(vec3(lq_coat_albedo(surface, wo, point_count)),
         lq_base_albedo(surface, wo, point_count));
 }

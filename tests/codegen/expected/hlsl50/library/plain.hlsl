@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 5.0, functions only, nothing bound.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 fef43e343458d8f3d3eb5800f169cf449be0c4d35ac4c708a8672b26ff08e14a.
+// Generated; source sha256 588f75a523f445f5df0a560cc6d1fbc7f3cbd04bf29f909d92b43ee69b559f73.
 //
 // Directions are unit vectors in a local frame whose z is the normal: wi towards the light, wo
 // towards the viewer, wm a facet normal. f is the BSDF per steradian without the cosine; a name
@@ -207,11 +207,25 @@ struct LqSample {
 // A lobe is sampled at least this often where it reflects anything, so that weights stay bounded.
 static const float LQ_MIN_CHOICE = 0.1f;
 
-// Directional albedo split by where the light turned back: at the coat or at the base.
+// Directional albedo split by where the light turned back: at the coat or at the base; and what of
+// the light goes through, where no base is.
 struct LqAlbedo {
     float3 direct;
     float3 base;
+    float3 transmitted;
 };
+
+LqAlbedo lq_no_albedo() {
+    LqAlbedo result =
+        { float3(0.0f, 0.0f, 0.0f), float3(0.0f, 0.0f, 0.0f), float3(0.0f, 0.0f, 0.0f) };
+    return result;
+}
+
+// Of a surface that lets nothing through.
+LqAlbedo lq_opaque_albedo(float3 direct, float3 base) {
+    LqAlbedo result = { direct, base, float3(0.0f, 0.0f, 0.0f) };
+    return result;
+}
 
 // Reflectance of a smooth boundary between a dielectric and a conductor, unpolarised light.
 // Based on: Born and Wolf 1999, Principles of Optics, section 14.2
@@ -829,10 +843,8 @@ LqSample lq_plain_sample(LqOneCoat surface, float3 wo, float3 u) {
 // `point_count` low-discrepancy samples of each (256 give about three digits). `surface` prepared.
 LqAlbedo lq_plain_albedo(LqOneCoat surface, float3 wo, int point_count) {
     if (!lq_is_above(wo)) {
-        LqAlbedo result = { float3(0.0f, 0.0f, 0.0f), float3(0.0f, 0.0f, 0.0f) };
-        return result;
+        return lq_no_albedo();
     }
-    LqAlbedo result_b =
-        { lq_coat_albedo(surface, wo, point_count).xxx, lq_base_albedo(surface, wo, point_count) };
-    return result_b;
+    return lq_opaque_albedo(lq_coat_albedo(surface, wo, point_count).xxx,
+        lq_base_albedo(surface, wo, point_count));
 }

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 6.0, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 b240fc995199044bac30bee4cc279ee1a13b2b2c029106fc9c7bb2abbe5d1a31.
+// Generated; source sha256 292a5841bd8932c0d0f3be5f145abfc4783cb8db2b18c30eac0123c413c521c4.
 
 static const float LQ_PI = 3.1415927f;
 static const float LQ_INVERSE_PI = 0.31830987f;
@@ -65,6 +65,7 @@ struct LqOneCoat {
     float3 kappa;
 };
 
+ByteAddressBuffer surfaces : register(t1, space0);
 ByteAddressBuffer inputs : register(t2, space0);
 
 cbuffer LqKernelParameters : register(b0, space0) {
@@ -76,8 +77,12 @@ cbuffer LqKernelParameters : register(b0, space0) {
     float4 parameters_radiance : packoffset(c2);
 };
 
-ByteAddressBuffer surfaces : register(t1, space0);
 RWByteAddressBuffer results : register(u3, space0);
+
+// Row `index` of the packed surfaces: what unpacks them works for any buffer.
+float4 lq_packed_row(uint index) {
+    return asfloat(surfaces.Load4(index * 16 + 0));
+}
 
 float3 lq_input_vector(uint row) {
     return float3(asfloat(inputs.Load(row * 16 + 0)), asfloat(inputs.Load(row * 16 + 4)),
@@ -404,9 +409,14 @@ float lq_plain_pdf(LqOneCoat surface, float3 wi, float3 wo) {
     return lq_one_coat_pdf(surface, lq_plain_coat_choice(surface, wo), wi, wo);
 }
 
-// The surface that six packed rows describe.
-LqOneCoat lq_one_coat_unpack(float4 coat, float4 base, float4 albedo, float4 eta, float4 kappa,
-        float4 optical_depth) {
+// The surface whose rows begin at `first`.
+LqOneCoat lq_one_coat_unpack(uint first) {
+    float4 coat = lq_packed_row(first);
+    float4 base = lq_packed_row(first + 1u);
+    float4 albedo = lq_packed_row(first + 2u);
+    float4 eta = lq_packed_row(first + 3u);
+    float4 kappa = lq_packed_row(first + 4u);
+    float4 optical_depth = lq_packed_row(first + 5u);
     LqFacets facets = { int(coat.w), coat.x, coat.y };
     LqFacets facets_b = { int(base.w), base.x, base.y };
     LqOneCoat result = { facets, coat.z, optical_depth.xyz, int(base.z), albedo.xyz, facets_b,
@@ -416,11 +426,7 @@ LqOneCoat lq_one_coat_unpack(float4 coat, float4 base, float4 albedo, float4 eta
 
 LqOneCoat lq_model_surface(uint query) {
     uint row = query / parameters_queries_per_surface * 6u;
-    return lq_plain_prepare(
-        lq_one_coat_unpack(asfloat(surfaces.Load4(row * 16 + 0)),
-        asfloat(surfaces.Load4((row + 1u) * 16 + 0)), asfloat(surfaces.Load4((row + 2u) * 16 + 0)),
-        asfloat(surfaces.Load4((row + 3u) * 16 + 0)), asfloat(surfaces.Load4((row + 4u) * 16 + 0)),
-        asfloat(surfaces.Load4((row + 5u) * 16 + 0))));
+    return lq_plain_prepare(lq_one_coat_unpack(row));
 }
 
 // Inputs: wi, wo per query. Results: (f, pdf).

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // Metal Shading Language 2.2, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 b240fc995199044bac30bee4cc279ee1a13b2b2c029106fc9c7bb2abbe5d1a31.
+// Generated; source sha256 292a5841bd8932c0d0f3be5f145abfc4783cb8db2b18c30eac0123c413c521c4.
 
 #include <metal_stdlib>
 
@@ -69,6 +69,10 @@ struct LqOneCoat {
     float3 kappa;
 };
 
+struct LqSurfaces {
+    float4 rows[1];
+};
+
 struct LqInputs {
     float4 rows[1];
 };
@@ -82,13 +86,14 @@ struct LqKernelParameters {
     float4 radiance;
 };
 
-struct LqSurfaces {
-    float4 rows[1];
-};
-
 struct LqResults {
     float4 rows[1];
 };
+
+// Row `index` of the packed surfaces: what unpacks them works for any buffer.
+static inline float4 lq_packed_row(uint index, const device LqSurfaces& surfaces) {
+    return surfaces.rows[index];
+}
 
 static inline float3 lq_input_vector(uint row, const device LqInputs& inputs) {
     return inputs.rows[row].xyz;
@@ -411,19 +416,22 @@ static inline float lq_plain_pdf(LqOneCoat surface, float3 wi, float3 wo) {
     return lq_one_coat_pdf(surface, lq_plain_coat_choice(surface, wo), wi, wo);
 }
 
-// The surface that six packed rows describe.
-static inline LqOneCoat lq_one_coat_unpack(float4 coat, float4 base, float4 albedo, float4 eta,
-        float4 kappa, float4 optical_depth) {
+// The surface whose rows begin at `first`.
+static inline LqOneCoat lq_one_coat_unpack(uint first, const device LqSurfaces& surfaces) {
+    float4 coat = lq_packed_row(first, surfaces);
+    float4 base = lq_packed_row(first + 1u, surfaces);
+    float4 albedo = lq_packed_row(first + 2u, surfaces);
+    float4 eta = lq_packed_row(first + 3u, surfaces);
+    float4 kappa = lq_packed_row(first + 4u, surfaces);
+    float4 optical_depth = lq_packed_row(first + 5u, surfaces);
     return LqOneCoat{ LqFacets{ int(coat.w), coat.x, coat.y }, coat.z, optical_depth.xyz,
         int(base.z), albedo.xyz, LqFacets{ int(base.w), base.x, base.y }, eta.xyz, kappa.xyz };
 }
 
-static inline LqOneCoat lq_model_surface(uint query, constant LqKernelParameters& parameters,
-        const device LqSurfaces& surfaces) {
+static inline LqOneCoat lq_model_surface(uint query, const device LqSurfaces& surfaces,
+        constant LqKernelParameters& parameters) {
     uint row = query / parameters.queries_per_surface * 6u;
-    return lq_plain_prepare(
-        lq_one_coat_unpack(surfaces.rows[row], surfaces.rows[row + 1u], surfaces.rows[row + 2u],
-        surfaces.rows[row + 3u], surfaces.rows[row + 4u], surfaces.rows[row + 5u]));
+    return lq_plain_prepare(lq_one_coat_unpack(row, surfaces));
 }
 
 // Inputs: wi, wo per query. Results: (f, pdf).
@@ -435,7 +443,7 @@ kernel void main0(constant LqKernelParameters& parameters [[buffer(0)]],
     if (query >= parameters.query_count) {
         return;
     }
-    LqOneCoat surface = lq_model_surface(query, parameters, surfaces);
+    LqOneCoat surface = lq_model_surface(query, surfaces, parameters);
     float3 wi = lq_input_vector(2u * query, inputs);
     float3 wo = lq_input_vector(2u * query + 1u, inputs);
     results.rows[query] = float4(lq_plain_eval(surface, wi, wo), lq_plain_pdf(surface, wi, wo));

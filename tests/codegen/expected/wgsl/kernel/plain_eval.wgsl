@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // WGSL, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 b240fc995199044bac30bee4cc279ee1a13b2b2c029106fc9c7bb2abbe5d1a31.
+// Generated; source sha256 292a5841bd8932c0d0f3be5f145abfc4783cb8db2b18c30eac0123c413c521c4.
 
 const LQ_PI: f32 = 3.1415927;
 const LQ_INVERSE_PI: f32 = 0.31830987;
@@ -65,6 +65,10 @@ struct LqOneCoat {
     kappa: vec3f,
 }
 
+struct LqSurfaces {
+    rows: array<vec4f>,
+}
+
 struct LqInputs {
     rows: array<vec4f>,
 }
@@ -78,18 +82,19 @@ struct LqKernelParameters {
     radiance: vec4f,
 }
 
-struct LqSurfaces {
-    rows: array<vec4f>,
-}
-
 struct LqResults {
     rows: array<vec4f>,
 }
 
+@group(0) @binding(1) var<storage> surfaces: LqSurfaces;
 @group(0) @binding(2) var<storage> inputs: LqInputs;
 @group(0) @binding(0) var<uniform> parameters: LqKernelParameters;
-@group(0) @binding(1) var<storage> surfaces: LqSurfaces;
 @group(0) @binding(3) var<storage, read_write> results: LqResults;
+
+// Row `index` of the packed surfaces: what unpacks them works for any buffer.
+fn lq_packed_row(index: u32) -> vec4f {
+    return surfaces.rows[index];
+}
 
 fn lq_input_vector(row: u32) -> vec3f {
     return inputs.rows[row].xyz;
@@ -426,18 +431,21 @@ fn lq_plain_pdf(surface: LqOneCoat, wi: vec3f, wo: vec3f) -> f32 {
     return lq_one_coat_pdf(surface, lq_plain_coat_choice(surface, wo), wi, wo);
 }
 
-// The surface that six packed rows describe.
-fn lq_one_coat_unpack(coat: vec4f, base: vec4f, albedo: vec4f, eta: vec4f, kappa: vec4f,
-        optical_depth: vec4f) -> LqOneCoat {
+// The surface whose rows begin at `first`.
+fn lq_one_coat_unpack(first: u32) -> LqOneCoat {
+    let coat = lq_packed_row(first);
+    let base = lq_packed_row(first + 1u);
+    let albedo = lq_packed_row(first + 2u);
+    let eta = lq_packed_row(first + 3u);
+    let kappa = lq_packed_row(first + 4u);
+    let optical_depth = lq_packed_row(first + 5u);
     return LqOneCoat(LqFacets(i32(coat.w), coat.x, coat.y), coat.z, optical_depth.xyz, i32(base.z),
         albedo.xyz, LqFacets(i32(base.w), base.x, base.y), eta.xyz, kappa.xyz);
 }
 
 fn lq_model_surface(query: u32) -> LqOneCoat {
     let row = query / parameters.queries_per_surface * 6u;
-    return lq_plain_prepare(
-        lq_one_coat_unpack(surfaces.rows[row], surfaces.rows[row + 1u], surfaces.rows[row + 2u],
-        surfaces.rows[row + 3u], surfaces.rows[row + 4u], surfaces.rows[row + 5u]));
+    return lq_plain_prepare(lq_one_coat_unpack(row));
 }
 
 // Inputs: wi, wo per query. Results: (f, pdf).
