@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // Metal Shading Language 2.2, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 292a5841bd8932c0d0f3be5f145abfc4783cb8db2b18c30eac0123c413c521c4.
+// Generated; source sha256 0f42368a26d593ea9a603a3d6c2f2aa6677af112900a1b88fdbb3451380768ba.
 
 #include <metal_stdlib>
 
