@@ -192,7 +192,7 @@ TEST_P(EveryBackend, ShadesEachQueryWithItsOwnMaterial) {
         for (std::size_t query = 0; query < owned.job().query_count(); ++query) {
             // The albedo of a Lambertian base is its own parameter, untouched.
             const auto material = static_cast<double>(query / queries_per_material);
-            ASSERT_EQ(result.rows[2 * query + 1].x, static_cast<float>(material / scale))
+            ASSERT_EQ(result.rows[3 * query + 1].x, static_cast<float>(material / scale))
                 << "query " << query;
         }
     }
