@@ -76,9 +76,9 @@ AlbedoErrors albedo_errors(BaseKind base, int count, std::uint64_t walks) {
     return errors;
 }
 
-// What reciprocity costs at most, in the mean error (measured: nothing) and in the largest
-// (measured: 0.030, over 300 stacks of each kind).
-constexpr double kMostGrowth = 0.001, kMostWorse = 0.04;
+// What reciprocity costs at most, in the mean error and in the largest (measured: nothing in
+// either, but for the worst of 300 stacks without a base: 0.030).
+constexpr double kMostGrowth = 0.001, kMostWorse = 0.015;
 
 void expect_albedos(int count, std::uint64_t walks) {
     for (const BaseKind base : {BaseKind::conductor, BaseKind::lambertian, BaseKind::none}) {
