@@ -5,7 +5,7 @@
 #define LQ_COATED_SURFACE_GLSL
 
 #include "../interface/energies.glsl"
-#include "../microfacet/facets.glsl"
+#include "../microfacet/equivalent_alpha.glsl"
 
 // How the light that has met the base is distributed.
 const int LQ_BASE_LOBE_EXACT = 0;  // as it is; reciprocal
@@ -52,16 +52,6 @@ struct LqCoatedView {
     float multiple;
 };
 
-// The isotropic GGX roughness whose energies stand for those of other facets, to some percent: the
-// mean of two roughnesses; and less of Beckmann's, which has fewer steep facets.
-float lq_coated_energy_alpha(const LqFacets facets, const float eta) {
-    const float alpha = clamp(0.5 * (facets.alpha_x + facets.alpha_y), 0.0, 1.0);
-    if (facets.ndf == LQ_NDF_BECKMANN) {
-        return alpha * (0.52 + (eta < 1.0 ? 0.41 : 0.09) * alpha);
-    }
-    return alpha;
-}
-
 // Roughness of one GGX lobe for all channels, with the variance of all the light that leaves.
 float lq_coated_base_alpha(const LqInterface energies, const vec3 returned) {
     const vec4 entering = energies.entering;
@@ -83,7 +73,7 @@ LqCoatedSurface lq_coated_prepare(const LqCoatedMaterial material) {
     surface.eta = eta;
     surface.base_lobe = material.base_lobe;
     surface.energies =
-        lq_interface_prepare(lq_coated_energy_alpha(material.coat, eta), eta, tau);
+        lq_interface_prepare(lq_equivalent_energy_alpha(material.coat, eta), eta, tau);
     surface.multiple_scale =
         LQ_INVERSE_PI / max(surface.energies.multiple_average, LQ_LEAST_MULTIPLE_AVERAGE);
     // The base reflects again what the coat sends back: a geometric series.

@@ -3,6 +3,7 @@
 #define LQ_STACK_LAYERS_GLSL
 
 #include "../core/math.glsl"
+#include "../microfacet/equivalent_alpha.glsl"
 #include "material.glsl"
 
 const float LQ_MOST_DEPTH = 80.0;  // lets no light through
@@ -25,22 +26,6 @@ struct LqStackMedium {
     float g;
 };
 
-// The isotropic GGX roughness whose energies stand for those of other facets, to some percent: the
-// mean of two roughnesses; and less of Beckmann's, which has fewer steep facets.
-float lq_stack_energy_alpha(const vec4 row, const float eta) {
-    const float alpha = clamp(0.5 * (row.x + row.y), 0.0, 1.0);
-    if (int(row.w) == LQ_NDF_BECKMANN) {
-        return alpha * (0.52 + (eta < 1.0 ? 0.41 : 0.09) * alpha);
-    }
-    return alpha;
-}
-
-// The isotropic GGX roughness whose lobes are as wide as those of other facets.
-float lq_equivalent_lobe_alpha(const LqFacets facets) {
-    const float alpha = clamp(0.5 * (facets.alpha_x + facets.alpha_y), 0.0, 1.0);
-    return facets.ndf == LQ_NDF_BECKMANN ? alpha * (0.425 + 0.15 * alpha) : alpha;
-}
-
 // The index of the medium below layer n, and of the exterior at -1.
 float lq_stack_index(const int first_row, const int n) {
     if (n < 0) {
@@ -53,8 +38,9 @@ LqStackInterface lq_stack_interface(const int first_row, const int n) {
     const vec4 row = lq_stack_row(first_row + LQ_LAYER_ROWS * n);
     const float index = clamp(row.z, LQ_LEAST_INDEX, LQ_MOST_INDEX);
     const float eta = clamp(index / lq_stack_index(first_row, n - 1), LQ_MIN_ETA, LQ_MAX_ETA);
-    return LqStackInterface(lq_stack_energy_alpha(row, eta),
-                            lq_equivalent_lobe_alpha(LqFacets(int(row.w), row.x, row.y)), eta);
+    const LqFacets facets = LqFacets(int(row.w), row.x, row.y);
+    return LqStackInterface(lq_equivalent_energy_alpha(facets, eta),
+                            lq_equivalent_lobe_alpha(facets), eta);
 }
 
 vec3 lq_stack_depths(const vec4 row) {

@@ -7,7 +7,9 @@
 #include "../core/shading.glsl"
 #include "../fresnel/dielectric.glsl"
 #include "../microfacet/reflection.glsl"
+#include "diffuse_base.glsl"
 #include "prepare.glsl"
+#include "transport.glsl"
 
 // A GGX lobe of what mirrors would send to `about`: its light, what of single reflections is that
 // light's share, and its roughness. Belcour 2018, Eq. 39.

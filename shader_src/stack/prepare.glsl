@@ -3,8 +3,7 @@
 #define LQ_STACK_PREPARE_GLSL
 
 #include "../interface/energies.glsl"
-#include "diffuse_base.glsl"
-#include "transport.glsl"
+#include "surface.glsl"
 
 // Less than this average of light reflected more than once is the noise of the tables.
 const float LQ_STACK_LEAST_MULTIPLE = 0.001;
@@ -50,7 +49,7 @@ LqStackSurface lq_stack_prepare(const LqStackMaterial material) {
                          !lq_scatters(lq_stack_medium(surface.first_row, last));
     surface.exit_place = is_open ? 2 * last : -1;
     surface.base_albedo = clamp(material.albedo, vec3(0.0), vec3(1.0));
-    surface.base_alpha = clamp(0.5 * (material.facets.alpha_x + material.facets.alpha_y), 0.0, 1.0);
+    surface.base_alpha = lq_mean_alpha(material.facets);
     surface.base_lobe_alpha = lq_equivalent_lobe_alpha(material.facets);
     const vec3 least = vec3(0.0);
     const vec3 most = vec3(LQ_MAX_CONDUCTOR_INDEX);

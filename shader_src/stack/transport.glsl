@@ -120,11 +120,11 @@ LqStackLight lq_stack_light(const LqStackSurface surface, const int kind, const 
                             carried.interfaces = vec4(1.0);
                         }
                     }
+                    zone += is_down ? 1 : -1;
                 }
                 waiting[slot] = left.interfaces;
                 waiting[slot + 1] = left.base;
                 waiting[slot + 2] = vec4(left.widths, left.cosine, 0.0);
-                zone += is_down ? (place == base_place ? 0 : 1) : -1;
             }
         }
         if (!is_down) {
