@@ -36,8 +36,10 @@ std::size_t reads_of_coated(double eta, int base_lobe) {
     return texels_read;
 }
 
-// Of a conductor's coat; further layers are read when light meets them.
-std::size_t reads_of_stack() {
+// Of a conductor's coat; further layers are read when light meets them. `prepare` is
+// lq_LEVEL_prepare.
+template <typename Prepare>
+std::size_t reads_of_stack(const Prepare& prepare) {
     using namespace shader;
     const std::array rows{vec4{0.3, 0.3, 1.5, LQ_NDF_GGX}, vec4{0.0}, vec4{0.0}};
     const LqStackMaterial stack{0,
@@ -49,7 +51,7 @@ std::size_t reads_of_stack() {
                                 vec3{3.9, 2.5, 2.1}};
     stack_rows = rows.data();
     texels_read = 0;
-    lq_stack_prepare(stack);
+    prepare(stack);
     return texels_read;
 }
 
@@ -58,7 +60,8 @@ std::size_t reads_of_stack() {
 // The tables of either side of eta 1 differ in size.
 std::size_t table_reads(const Level& level) {
     if (!level.reads_tables) return 0;
-    if (level.name == "stack") return reads_of_stack();
+    if (level.name == "stack") return reads_of_stack(shader::lq_stack_prepare);
+    if (level.name == "stack_symmetric") return reads_of_stack(shader::lq_stack_symmetric_prepare);
     std::size_t most = 0;
     for (const double eta : {0.7, 1.5})
         for (const int base_lobe : {shader::LQ_BASE_LOBE_EXACT, shader::LQ_BASE_LOBE_GGX})

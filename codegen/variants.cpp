@@ -24,6 +24,8 @@ constexpr std::array kLevels{
           "a rough dielectric coat over a Lambertian base, with all light between them", true},
     Level{"stack", "stack/stack.glsl", "LQ_MODEL_STACK",
           "any number of rough layers over any base, with all light between them", true, true},
+    Level{"stack_symmetric", "stack_symmetric/stack_symmetric.glsl", "LQ_MODEL_STACK_SYMMETRIC",
+          "the same stacks, reciprocal: light is followed when a surface is prepared", true, true},
 };
 
 struct StageEntry {

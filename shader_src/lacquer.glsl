@@ -28,6 +28,7 @@
 #include "openpbr_coat/openpbr_coat.glsl"
 #include "plain/plain.glsl"
 #include "stack/stack.glsl"
+#include "stack_symmetric/stack_symmetric.glsl"
 #include "weidlich_wilkie/weidlich_wilkie.glsl"
 
 #endif

@@ -17,6 +17,7 @@ std::size_t surface_rows(Model model) {
         case Model::coated_exact:
             return kCoatedRows;
         case Model::stack:
+        case Model::stack_symmetric:
             return kStackRows;
     }
     return 0;
@@ -41,7 +42,8 @@ std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> mate
                 rows.insert(rows.end(), packed.begin(), packed.end());
                 break;
             }
-            case Model::stack: {
+            case Model::stack:
+            case Model::stack_symmetric: {
                 const auto packed = pack_stack(material, model);
                 rows.insert(rows.end(), packed.begin(), packed.end());
             }

@@ -27,6 +27,7 @@ constexpr std::array kEntries{
     ModelEntry{Model::coated_ggx, "coated-ggx", "coated", true},
     ModelEntry{Model::coated_exact, "coated-exact", "coated", true},
     ModelEntry{Model::stack, "stack", "stack", true},
+    ModelEntry{Model::stack_symmetric, "stack-symmetric", "stack_symmetric", true},
 };
 
 constexpr auto kModels = [] {

@@ -14,6 +14,7 @@ enum class Model {
     coated_ggx,       // all light between coat and base; the base's leaves as a GGX lobe
     coated_exact,     // the same; the base's leaves as it is
     stack,            // any number of layers over any base, with all light between them
+    stack_symmetric,  // the same, the same when light and viewer change places
 };
 
 // The name on the command line, in JSON and in file names of shader variants.

@@ -34,6 +34,7 @@ Scope scope_of(Model model) {
         case Model::coated_exact:
             return {Extra::refused, Extra::refused, true};
         case Model::stack:
+        case Model::stack_symmetric:
             return {Extra::shaded, Extra::shaded, false, true};
     }
     return {Extra::refused, Extra::refused};

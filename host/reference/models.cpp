@@ -62,6 +62,8 @@ std::shared_ptr<const Shading> prepare(const Material& material, Model model) {
             return shading(prepare_coated(material, shipped_tables(), BaseLobe::exact));
         case Model::stack:
             return shading(prepare_stack(material, shipped_tables()));
+        case Model::stack_symmetric:
+            return shading(prepare_stack(material, shipped_tables(), StackLobes::symmetric));
     }
     return nullptr;
 }

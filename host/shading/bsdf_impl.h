@@ -136,12 +136,13 @@ struct CoatedFunctions : Functions<shader::lq_coated_eval, shader::lq_coated_eva
 };
 
 // A prepared stack with the rows of its layers, which the shader source asks for.
-struct StackSurface {
+template <typename Surface>
+struct WithLayers {
     std::vector<shader::vec4> rows;
-    shader::LqStackSurface surface;
+    Surface surface;
 
     // The surface, its rows being this thread's from now on.
-    const shader::LqStackSurface& in_use() const {
+    const Surface& in_use() const {
         shader::stack_rows = rows.data();
         return surface;
     }
@@ -159,46 +160,62 @@ std::vector<shader::vec4> to_rows(const StackParameters& parameters) {
     return rows;
 }
 
-StackSurface to_stack(const StackParameters& parameters) {
-    StackSurface stack{to_rows(parameters), {}};
+// `prepare` is lq_LEVEL_prepare.
+template <typename Surface>
+WithLayers<Surface> to_stack(const StackParameters& parameters,
+                             Surface (*prepare)(shader::LqStackMaterial)) {
+    WithLayers<Surface> stack{to_rows(parameters), {}};
     shader::stack_rows = stack.rows.data();
-    stack.surface = shader::lq_stack_prepare(
-        {0, static_cast<int>(parameters.layers.size()), static_cast<int>(parameters.base_kind),
-         to_vector(parameters.albedo), to_facets(parameters.base_facets), to_vector(parameters.eta),
-         to_vector(parameters.kappa)});
+    stack.surface = prepare({0, static_cast<int>(parameters.layers.size()),
+                             static_cast<int>(parameters.base_kind), to_vector(parameters.albedo),
+                             to_facets(parameters.base_facets), to_vector(parameters.eta),
+                             to_vector(parameters.kappa)});
     return stack;
 }
 
-struct StackFunctions {
+// Of a level whose functions read layers.
+template <auto Eval, auto EvalCos, auto Pdf, auto Sample, auto Albedo, auto View, auto ViewEvalCos>
+struct LayeredFunctions {
     using Vector = shader::vec3;
-    static Vector eval(const StackSurface& stack, const Vector& wi, const Vector& wo) {
-        return shader::lq_stack_eval(stack.in_use(), wi, wo);
+    static Vector eval(const auto& stack, const Vector& wi, const Vector& wo) {
+        return Eval(stack.in_use(), wi, wo);
     }
-    static Vector eval_cos(const StackSurface& stack, const Vector& wi, const Vector& wo) {
-        return shader::lq_stack_eval_cos(stack.in_use(), wi, wo);
+    static Vector eval_cos(const auto& stack, const Vector& wi, const Vector& wo) {
+        return EvalCos(stack.in_use(), wi, wo);
     }
-    static Real pdf(const StackSurface& stack, const Vector& wi, const Vector& wo) {
-        return shader::lq_stack_pdf(stack.in_use(), wi, wo);
+    static Real pdf(const auto& stack, const Vector& wi, const Vector& wo) {
+        return Pdf(stack.in_use(), wi, wo);
     }
-    static shader::LqSample sample(const StackSurface& stack, const Vector& wo, const Vector& u) {
-        return shader::lq_stack_sample(stack.in_use(), wo, u);
+    static shader::LqSample sample(const auto& stack, const Vector& wo, const Vector& u) {
+        return Sample(stack.in_use(), wo, u);
     }
-    static shader::LqAlbedo albedo(const StackSurface& stack, const Vector& wo, int) {
-        return shader::lq_stack_albedo(stack.in_use(), wo);
+    static shader::LqAlbedo albedo(const auto& stack, const Vector& wo, int) {
+        return Albedo(stack.in_use(), wo);
     }
-    static shader::LqStackView view(const StackSurface& stack, const Vector& wo) {
-        return shader::lq_stack_view(stack.in_use(), wo);
-    }
-    static Vector view_eval_cos(const StackSurface& stack, const shader::LqStackView& viewer,
-                                const Vector& wi) {
-        return shader::lq_stack_view_eval_cos(stack.surface, viewer, wi);
+    static auto view(const auto& stack, const Vector& wo) { return View(stack.in_use(), wo); }
+    static Vector view_eval_cos(const auto& stack, const auto& viewer, const Vector& wi) {
+        return ViewEvalCos(stack.surface, viewer, wi);
     }
 };
+
+using StackFunctions =
+    LayeredFunctions<shader::lq_stack_eval, shader::lq_stack_eval_cos, shader::lq_stack_pdf,
+                     shader::lq_stack_sample, shader::lq_stack_albedo, shader::lq_stack_view,
+                     shader::lq_stack_view_eval_cos>;
+
+using StackSymmetricFunctions =
+    LayeredFunctions<shader::lq_stack_symmetric_eval, shader::lq_stack_symmetric_eval_cos,
+                     shader::lq_stack_symmetric_pdf, shader::lq_stack_symmetric_sample,
+                     shader::lq_stack_symmetric_albedo, shader::lq_stack_symmetric_view,
+                     shader::lq_stack_symmetric_view_eval_cos>;
 
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {
     using namespace shader;
     if (model == Model::stack)
-        return level<StackFunctions>(to_stack(stack_parameters(material, model)));
+        return level<StackFunctions>(to_stack(stack_parameters(material, model), lq_stack_prepare));
+    if (model == Model::stack_symmetric)
+        return level<StackSymmetricFunctions>(
+            to_stack(stack_parameters(material, model), lq_stack_symmetric_prepare));
     const OneCoatParameters parameters = one_coat_parameters(material, model);
     const LqOneCoat surface = to_one_coat(parameters);
     switch (model) {
@@ -223,6 +240,7 @@ std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, 
             return level<CoatedFunctions>(lq_coated_prepare(to_coated(
                 parameters, model == Model::coated_ggx ? LQ_BASE_LOBE_GGX : LQ_BASE_LOBE_EXACT)));
         case Model::stack:
+        case Model::stack_symmetric:
             break;
     }
     return nullptr;

@@ -32,7 +32,8 @@ layout(set = 0, binding = 3, std430) buffer LqResults {
     vec4 rows[];
 } results;
 
-#if defined(LQ_MODEL_COATED) || defined(LQ_MODEL_STACK)  // of all levels, these read tables
+// Of all levels, these read tables.
+#if defined(LQ_MODEL_COATED) || defined(LQ_MODEL_STACK) || defined(LQ_MODEL_STACK_SYMMETRIC)
 // The baked tables (shader_src/tables/texels.glsl).
 layout(set = 0, binding = 4, std430) readonly buffer LqTables {
     uvec4 texels[];

@@ -5,6 +5,9 @@
 #ifdef LQ_MODEL_STACK
 #include "model_stack.glsl"
 #endif
+#ifdef LQ_MODEL_STACK_SYMMETRIC
+#include "model_stack_symmetric.glsl"
+#endif
 #ifdef LQ_MODEL_PLAIN
 #include "model_plain.glsl"
 #endif

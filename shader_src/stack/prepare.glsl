@@ -3,6 +3,7 @@
 #define LQ_STACK_PREPARE_GLSL
 
 #include "../interface/energies.glsl"
+#include "layers.glsl"
 #include "surface.glsl"
 
 // Less than this average of light reflected more than once is the noise of the tables.

@@ -11,7 +11,9 @@
 
 #include "../core/frame.glsl"
 #include "../core/shading.glsl"
-#include "lobes.glsl"
+#include "choices.glsl"
+#include "prepare.glsl"
+#include "view.glsl"
 
 // f(wi, wo) |cos_theta_i| for a viewer that `lq_stack_view` knows.
 vec3 lq_stack_view_eval_cos(const LqStackSurface surface, const LqStackView viewer, const vec3 wi) {
@@ -66,10 +68,7 @@ LqAlbedo lq_stack_albedo(const LqStackSurface surface, const vec3 wo) {
     if (!lq_is_above(wo)) {
         return lq_no_albedo();
     }
-    const LqStackView viewer = lq_stack_view(surface, wo);
-    const bool is_open = surface.base == LQ_STACK_BASE_NONE;
-    return LqAlbedo(vec3(viewer.top) + viewer.interfaces.energy, lq_stack_base_albedo(viewer),
-                    is_open ? viewer.straight.energy + viewer.detoured.energy : vec3(0.0));
+    return lq_stack_view_albedo(surface, lq_stack_view(surface, wo));
 }
 
 #endif

@@ -5,7 +5,8 @@
 
 #include "../tables/texels.glsl"
 
-#if defined(LQ_MODEL_COATED) || defined(LQ_MODEL_STACK)  // of all levels, these read tables
+// Of all levels, these read tables.
+#if defined(LQ_MODEL_COATED) || defined(LQ_MODEL_STACK) || defined(LQ_MODEL_STACK_SYMMETRIC)
 layout(set = 0, binding = 1) uniform utexture2D tables;
 
 uvec4 lq_table_texel(const int index) {

@@ -12,6 +12,9 @@ namespace lacquer::reference {
 
 namespace {
 
+// Less is as good as none: its width hangs on the last digits.
+constexpr double kLeastLight = 1e-12;
+
 double sine_of(double cosine) {
     return direction_of(cosine).x;
 }
@@ -21,9 +24,8 @@ LobeLight all_of(const Beam& beam) {
 }
 
 // The nearest node towards the normal that has light, where n has none.
-template <typename HasLight>
-std::size_t next_with_light(std::size_t n, const HasLight& has_light) {
-    while (n + 1 < kCubicNodes && !has_light(n)) ++n;
+std::size_t next_with_light(std::size_t n, const std::array<LobeLight, kCubicNodes>& known) {
+    while (n + 1 < kCubicNodes && sum(known[n].energy) <= kLeastLight) ++n;
     return n;
 }
 
@@ -53,8 +55,7 @@ LobeLight FittedLobe::at(double cosine) const {
 FittedLobe fit_lobe(const std::array<LobeLight, kCubicNodes>& known) {
     FittedLobe fit;
     for (std::size_t n = 0; n < kCubicNodes; ++n) {
-        const std::size_t lit =
-            next_with_light(n, [&](std::size_t k) { return sum(known[k].energy) > 0.0; });
+        const std::size_t lit = next_with_light(n, known);
         fit.energy.known[n] = known[n].energy;
         fit.alpha.known[n] = alpha_of_width(known[lit].width);
     }
@@ -78,8 +79,7 @@ FittedBeam fit_beam(const std::array<Beam, kCubicNodes>& known) {
     std::ranges::transform(known, lobes.begin(), all_of);
     fit.lobe = fit_lobe(lobes);
     for (std::size_t n = 0; n < kCubicNodes; ++n) {
-        const std::size_t lit =
-            next_with_light(n, [&](std::size_t k) { return sum(lobes[k].energy) > 0.0; });
+        const std::size_t lit = next_with_light(n, lobes);
         fit.sine_ratio.known[n] = sine_of(known[lit].cosine) / sine_of(cubic_node(lit));
     }
     return fit;

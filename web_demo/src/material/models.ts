@@ -13,6 +13,7 @@ export const MODEL_NAMES = [
     "coated-ggx",
     "coated-exact",
     "stack",
+    "stack-symmetric",
 ] as const;
 
 export type ModelName = (typeof MODEL_NAMES)[number];
@@ -20,6 +21,10 @@ export type ModelName = (typeof MODEL_NAMES)[number];
 // The level of the shader source: what the names of its files begin with.
 export function levelOf(model: ModelName): string {
     return isCoated(model) ? "coated" : model.replace("-", "_");
+}
+
+function isStack(model: ModelName): boolean {
+    return model === "stack" || model === "stack-symmetric";
 }
 
 function isCoated(model: ModelName): boolean {
@@ -41,7 +46,7 @@ export function modelFor(material: Material, wanted: ModelName): ModelName {
 export function omittedBy({ layers, base }: Material, model: ModelName): string[] {
     const omitted: string[] = [];
     const hasMedium = layers.some(({ medium }) => !isClear(medium));
-    if (model !== "stack" && layers.length > 1) {
+    if (!isStack(model) && layers.length > 1) {
         omitted.push("the lower layers");
     }
     if (model === "plain" && hasMedium) {
@@ -58,7 +63,7 @@ export function omittedBy({ layers, base }: Material, model: ModelName): string[
 
 // The rows of four numbers that the shaders of `model` read.
 export function packSurface(material: Material, model: ModelName): Row[] {
-    if (model === "stack") {
+    if (isStack(model)) {
         return packStack(material);
     }
     return isCoated(model) ? packCoated(material, model === "coated-ggx") : packOneCoat(material);

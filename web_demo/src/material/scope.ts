@@ -29,6 +29,7 @@ const SCOPES: Record<ModelName, Scope> = {
     "coated-ggx": { ...ONE_COAT, lambertianOnly: true },
     "coated-exact": { ...ONE_COAT, lambertianOnly: true },
     stack: { ...ANYTHING, wholeStacks: true },
+    "stack-symmetric": { ...ANYTHING, wholeStacks: true },
 };
 
 // The JSON pointer of what is refused, and what the model does.
