@@ -32,7 +32,8 @@ inline constexpr Tolerance kStackTolerance{1e-4, 7e-7};
 // The tolerance of a model on the backend of that name: a language or a model that needs more is a
 // formula to mend, or a reason to be written here.
 constexpr Tolerance tolerance_of(std::string_view /*backend*/, Model model) {
-    return model == Model::stack ? kStackTolerance : kFloatTolerance;
+    const bool is_stack = model == Model::stack || model == Model::stack_symmetric;
+    return is_stack ? kStackTolerance : kFloatTolerance;
 }
 
 }  // namespace lacquer
