@@ -55,7 +55,7 @@ LqStackView lq_stack_view(const LqStackSurface surface, const vec3 wo) {
 // f(wi, wo) of a viewer, who is above the surface.
 vec3 lq_stack_value(const LqStackSurface surface, const LqStackView viewer, const vec3 wi) {
     if (!lq_is_above(wi)) {
-        return wi.z < 0.0 ? lq_stack_value_below(viewer, wi) : vec3(0.0);
+        return lq_stack_value_below(viewer, wi);
     }
     return lq_stack_outer_value(surface, viewer, wi) + lq_stack_lobe_value(viewer.interfaces, wi) +
            lq_stack_lobe_value(viewer.base, wi);

@@ -69,7 +69,7 @@ vec3 lq_symmetric_lobe_value(const LqSymmetricLobe lobe, const vec3 wi, const ve
 vec3 lq_stack_symmetric_value(const LqStackSymmetricSurface surface,
                               const LqStackSymmetricView viewer, const vec3 wi) {
     if (!lq_is_above(wi)) {
-        return wi.z < 0.0 ? lq_stack_value_below(viewer.lobes, wi) : vec3(0.0);
+        return lq_stack_value_below(viewer.lobes, wi);
     }
     const float cosine = min(wi.z, 1.0);
     const float entering = sqrt(lq_stack_entering(surface.stack, cosine));
