@@ -31,20 +31,61 @@ vec4 lq_inverse_lengths(const vec4 x, const vec4 y, const vec4 z) {
     return vec4(1.0) / sqrt(x * x + y * y + z * z);
 }
 
-// Fresnel reflectances of a dielectric boundary (fresnel/dielectric.glsl) for four cosines.
-vec4 lq_fresnel_of_four(const vec4 cosines, const float eta) {
+// Squares of eta cos_theta_t; below 0 beyond the critical angle.
+vec4 lq_refracted_squares(const vec4 cosines, const float eta) {
+    return vec4((eta - 1.0) * (eta + 1.0)) + cosines * cosines;
+}
+
+// Fresnel reflectances of a dielectric boundary (fresnel/dielectric.glsl) for four cosines, where
+// eta cos_theta_t is `roots`, whose squares are by `excess` more than Snell's law says.
+vec4 lq_fresnel_by_roots(const vec4 cosines, const vec4 roots, const vec4 excess,
+                         const float eta) {
     const float contrast = (eta - 1.0) * (eta + 1.0);
-    const vec4 g_squared = vec4(contrast) + cosines * cosines;
-    const vec4 g = sqrt(max(g_squared, vec4(0.0)));
-    const vec4 denominator_s = max(cosines + g, vec4(LQ_TINY_SPREAD));
-    const vec4 denominator_p = max(eta * eta * cosines + g, vec4(LQ_TINY_SPREAD));
-    const vec4 amplitude_s = vec4(contrast) / (denominator_s * denominator_s);
-    const vec4 amplitude_p = contrast * (cosines * cosines * (eta * eta + 1.0) - vec4(1.0)) /
-                             (denominator_p * denominator_p);
+    const vec4 denominator_s = max(cosines + roots, vec4(LQ_TINY_SPREAD));
+    const vec4 denominator_p = max(eta * eta * cosines + roots, vec4(LQ_TINY_SPREAD));
+    const vec4 amplitude_s = (vec4(contrast) + excess) / (denominator_s * denominator_s);
+    const vec4 amplitude_p =
+        (contrast * (cosines * cosines * (eta * eta + 1.0) - vec4(1.0)) - excess) /
+        (denominator_p * denominator_p);
     const vec4 partial =
         min(0.5 * (amplitude_s * amplitude_s + amplitude_p * amplitude_p), vec4(1.0));
     // Beyond the critical angle all is reflected.
-    return mix(partial, vec4(1.0), step(g_squared, vec4(0.0)));
+    return mix(partial, vec4(1.0), step(roots, vec4(0.0)));
+}
+
+vec4 lq_fresnel_of_four(const vec4 cosines, const float eta) {
+    const vec4 roots = sqrt(max(lq_refracted_squares(cosines, eta), vec4(0.0)));
+    return lq_fresnel_by_roots(cosines, roots, vec4(0.0), eta);
+}
+
+// The mean of sqrt(max(x, 0)) over a width of 2 h about x, without differences of like numbers.
+vec4 lq_mean_roots(const vec4 x, const float h) {
+    const vec4 high = sqrt(max(x + vec4(h), vec4(0.0)));
+    const vec4 low = sqrt(max(x - vec4(h), vec4(0.0)));
+    const vec4 shares = clamp((x + vec4(h)) / h, vec4(0.0), vec4(2.0)) / 3.0;
+    return shares * (high * high + high * low + low * low) /
+           max(high + low, vec4(LQ_TINY_SPREAD));
+}
+
+// What four facets do in place of all those near them, whose incident cosines they have: at the
+// critical angle, where the Fresnel equations follow a square root, that root's mean. `cosines` are
+// those of what is refracted to the facets' normals.
+struct LqFacetRefraction {
+    vec4 reflectance;
+    vec4 cosines;
+};
+
+LqFacetRefraction lq_refraction_near(const vec4 incidence, const float eta) {
+    const vec4 squares = lq_refracted_squares(incidence, eta);
+    vec4 roots = sqrt(max(squares, vec4(0.0)));
+    vec4 excess = vec4(0.0);
+    if (eta < 1.0) {
+        const vec4 steps = squares - vec4(0.25 * dot(squares, vec4(1.0)));
+        const float h = max(sqrt(0.1875 * dot(steps, steps)), LQ_TINY_SPREAD);
+        roots = lq_mean_roots(squares, h);
+        excess = roots * roots - squares;
+    }
+    return LqFacetRefraction(lq_fresnel_by_roots(incidence, roots, excess, eta), roots / eta);
 }
 
 // G1 of GGX facets for four cosines; 0 below the surface.
@@ -80,7 +121,8 @@ LqFacetEffect lq_facet_effect(const float cosine, const float alpha, const float
     const vec4 normal_y = y * scale;
     const vec4 normal_z = heights * scale;
     const vec4 incidence = clamp(s * normal_x + c * normal_z, vec4(0.0), vec4(1.0));
-    const vec4 reflectance = lq_fresnel_of_four(incidence, eta);
+    const LqFacetRefraction facet = lq_refraction_near(incidence, eta);
+    const vec4 reflectance = facet.reflectance;
 
     // Steps from where a flat facet mirrors to: moments about it lose no digits.
     const vec4 step_x = 2.0 * incidence * normal_x;
@@ -103,12 +145,10 @@ LqFacetEffect lq_facet_effect(const float cosine, const float alpha, const float
             LQ_TINY_SPREAD);
 
     // Refracted directions, mirrored to the side of the light.
-    const vec4 square =
-        vec4(1.0) - (vec4(1.0) - incidence) * (vec4(1.0) + incidence) * inverse_eta * inverse_eta;
-    const vec4 along = sqrt(max(square, vec4(0.0))) - incidence * inverse_eta;
+    const vec4 along = facet.cosines - incidence * inverse_eta;
     const vec4 refracted_x = vec4(s * inverse_eta) + along * normal_x;
     const vec4 refracted_z = vec4(c * inverse_eta) + along * normal_z;
-    const vec4 entering = (vec4(1.0) - reflectance) * (vec4(1.0) - step(refracted_z, vec4(0.0)));
+    const vec4 entering = vec4(1.0) - reflectance;
     const vec4 refracted = entering * lq_masking_of_four(refracted_z, alpha);
     const float entering_light = dot(entering, vec4(1.0));
     const float refracted_light = dot(refracted, vec4(1.0));

@@ -38,4 +38,10 @@ struct LqStackSurface {
     float multiple_scale;
 };
 
+// As far from the cosine of the top interface's critical angle as its facets tilt: more obliquely
+// hardly any light enters a thinner medium.
+float lq_least_entering_cosine(const LqStackSurface surface) {
+    return max(surface.top_critical - surface.top_alpha, 0.0);
+}
+
 #endif

@@ -18,6 +18,7 @@ LqStackLobe lq_stack_exit_of(const LqStackSurface surface, const LqStackBeam bea
 // below.
 LqStackView lq_stack_view(const LqStackSurface surface, const vec3 wo) {
     const float cosine = clamp(wo.z, 0.0, 1.0);
+    const float least = lq_least_entering_cosine(surface);
     const bool is_lambertian = surface.base == LQ_STACK_BASE_LAMBERTIAN;
     LqStackLight light = lq_no_light();
     vec4 a = vec4(0.0);
@@ -28,7 +29,7 @@ LqStackView lq_stack_view(const LqStackSurface surface, const vec3 wo) {
     for (int run = is_lambertian ? 0 : 5; run < 6; run++) {
         const float narrow = run == 0 ? LQ_CUBIC_NODES.x : LQ_CUBIC_NODES.y;
         const float wide = run == 2 ? LQ_CUBIC_NODES.z : LQ_CUBIC_NODES.w;
-        const float entered = run < 2 ? narrow : wide;
+        const float entered = mix(least, 1.0, run < 2 ? narrow : wide);
         const int diffuse = run == 4 ? LQ_LIGHT_FROM_BELOW : LQ_LIGHT_ENTERED;
         light = lq_stack_light(surface, run == 5 ? LQ_LIGHT_FROM_ABOVE : diffuse,
                                run == 5 ? cosine : entered);
@@ -42,7 +43,7 @@ LqStackView lq_stack_view(const LqStackSurface surface, const vec3 wo) {
         }
     }
     const LqStackDiffuse diffuse_base =
-        lq_stack_diffuse(surface, lq_cubic_through(a, b, c, d), returning);
+        lq_stack_diffuse(surface, lq_cubic_through(a, b, c, d, least), returning);
     const vec4 arriving = lq_stack_arriving(surface, diffuse_base.arriving, cosine);
     return LqStackView(wo, light.top, lq_stack_top_multiple(surface, cosine),
                        lq_stack_lobe_of(light.interfaces, lq_safe_sqrt(light.interfaces_width), wo),

@@ -15,13 +15,14 @@ struct LqFittedLobe {
     float most_alpha;
 };
 
-// Of the lobe's red, green, blue and roughness at the nodes of cubics.
-LqFittedLobe lq_fitted_lobe(const vec4 a, const vec4 b, const vec4 c, const vec4 d) {
-    const float least = min(min(a.w, b.w), min(c.w, d.w));
-    const float most = max(max(a.w, b.w), max(c.w, d.w));
+// Of the lobe's red, green, blue and roughness at the nodes of cubics from `least` on.
+LqFittedLobe lq_fitted_lobe(const vec4 a, const vec4 b, const vec4 c, const vec4 d,
+                            const float least) {
+    const float narrowest = min(min(a.w, b.w), min(c.w, d.w));
+    const float widest = max(max(a.w, b.w), max(c.w, d.w));
     const bool is_lit = dot(a + b + c + d, vec4(1.0, 1.0, 1.0, 0.0)) > 0.0;
-    return LqFittedLobe(is_lit, lq_cubic_through(a, b, c, d), clamp(least, LQ_MIN_ALPHA, 1.0),
-                        clamp(most, LQ_MIN_ALPHA, 1.0));
+    return LqFittedLobe(is_lit, lq_cubic_through(a, b, c, d, least),
+                        clamp(narrowest, LQ_MIN_ALPHA, 1.0), clamp(widest, LQ_MIN_ALPHA, 1.0));
 }
 
 // Red, green, blue and roughness; `cosine` in [0, 1].

@@ -62,6 +62,7 @@ LqEnteredLight lq_entered_light(const LqStackLight light, const float cosine,
 LqStackSymmetricSurface lq_stack_symmetric_prepare(const LqStackMaterial material) {
     LqStackSymmetricSurface surface;
     surface.stack = lq_stack_prepare(material);
+    const float least = lq_least_entering_cosine(surface.stack);
     LqEnteredLight a = lq_no_entered_light();
     LqEnteredLight b = a;
     LqEnteredLight c = a;
@@ -71,7 +72,7 @@ LqStackSymmetricSurface lq_stack_symmetric_prepare(const LqStackMaterial materia
     for (int run = 0; run < runs; run++) {
         const float wide = run == 0 ? LQ_CUBIC_NODES.w : LQ_CUBIC_NODES.z;
         const float narrow = run == 2 ? LQ_CUBIC_NODES.y : LQ_CUBIC_NODES.x;
-        const float cosine = run < 2 ? wide : narrow;
+        const float cosine = mix(least, 1.0, run < 2 ? wide : narrow);
         const LqStackLight light = lq_stack_light(
             surface.stack, run == 4 ? LQ_LIGHT_FROM_BELOW : LQ_LIGHT_ENTERED, cosine);
         if (run == 4) {
@@ -85,14 +86,15 @@ LqStackSymmetricSurface lq_stack_symmetric_prepare(const LqStackMaterial materia
         }
     }
     surface.interfaces.light =
-        lq_fitted_lobe(a.interfaces, b.interfaces, c.interfaces, d.interfaces);
-    surface.base.light = lq_fitted_lobe(a.base, b.base, c.base, d.base);
-    surface.straight = lq_fitted_lobe(a.straight, b.straight, c.straight, d.straight);
-    surface.detoured = lq_fitted_lobe(a.detoured, b.detoured, c.detoured, d.detoured);
+        lq_fitted_lobe(a.interfaces, b.interfaces, c.interfaces, d.interfaces, least);
+    surface.base.light = lq_fitted_lobe(a.base, b.base, c.base, d.base, least);
+    surface.straight = lq_fitted_lobe(a.straight, b.straight, c.straight, d.straight, least);
+    surface.detoured = lq_fitted_lobe(a.detoured, b.detoured, c.detoured, d.detoured, least);
     surface.sine_ratios =
-        lq_cubic_through(a.sine_ratios, b.sine_ratios, c.sine_ratios, d.sine_ratios);
+        lq_cubic_through(a.sine_ratios, b.sine_ratios, c.sine_ratios, d.sine_ratios, least);
     surface.diffuse = lq_stack_diffuse(
-        surface.stack, lq_cubic_through(a.arriving, b.arriving, c.arriving, d.arriving), returning);
+        surface.stack, lq_cubic_through(a.arriving, b.arriving, c.arriving, d.arriving, least),
+        returning);
     // Each in turn, so that what fits them is compiled once.
     for (int lobe = 0; lobe < 2; lobe++) {
         const LqFittedLobe light = surface.interfaces.light;

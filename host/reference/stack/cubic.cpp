@@ -21,23 +21,23 @@ const Nodes& nodes() {
 }
 
 // 1 at node n and 0 at the others.
-double lagrange(std::size_t n, double cosine) {
+double lagrange(std::size_t n, double x) {
     const Nodes& at = nodes();
     double product = 1.0;
     for (std::size_t k = 0; k < kCubicNodes; ++k)
-        if (k != n) product *= (cosine - at[k]) / (at[n] - at[k]);
+        if (k != n) product *= (x - at[k]) / (at[n] - at[k]);
     return product;
 }
 
 }  // namespace
 
-double cubic_node(std::size_t n) {
-    return nodes()[n];
+double cubic_node(std::size_t n, double least) {
+    return least + (1.0 - least) * nodes()[n];
 }
 
-std::array<double, kCubicNodes> cubic_weights(double cosine) {
+std::array<double, kCubicNodes> cubic_weights(double x) {
     std::array<double, kCubicNodes> weights{};
-    for (std::size_t n = 0; n < kCubicNodes; ++n) weights[n] = lagrange(n, cosine);
+    for (std::size_t n = 0; n < kCubicNodes; ++n) weights[n] = lagrange(n, x);
     return weights;
 }
 

@@ -31,8 +31,9 @@ DiffuseBase prepare_diffuse_base(const StackLayers& layers, const EnteredLight& 
                                  const glm::dvec3& albedo) {
     const double index = layers.interfaces.back().ior_below / layers.interfaces.front().ior_above;
     DiffuseBase base{{layers.interfaces.front(), {}}, {}, {}};
+    base.arriving.share.least = entered.least;
     for (std::size_t n = 0; n < kCubicNodes; ++n)
-        base.arriving.share.known[n] = entered[n].arrived();
+        base.arriving.share.known[n] = entered.known[n].arrived();
     // By reciprocity, what leaves of diffuse light from the base; no more than in clear media.
     const Energy leaving = glm::min(base.arriving.average() / (index * index), Energy{1.0});
     // Without absorption all that does not leave comes back: that keeps a white base white.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include "reference/facets.h"
 #include "reference/fresnel.h"
@@ -46,6 +47,38 @@ struct Moments {
     }
 };
 
+// The mean of sqrt(max(x, 0)) over a width of 2 h about x, without differences of like numbers.
+double mean_root(double x, double h) {
+    const double high = std::sqrt(std::max(x + h, 0.0)), low = std::sqrt(std::max(x - h, 0.0));
+    const double share = std::clamp((x + h) / h, 0.0, 2.0) / 3.0;
+    return share * (high * high + high * low + low * low) / std::max(high + low, kTiny);
+}
+
+// What one of few facets does in place of all those near it: at the critical angle, where the
+// Fresnel equations follow a square root, that root's mean.
+struct FacetRefraction {
+    double reflectance;
+    double cosine;  // to the facet's normal, of what is refracted
+};
+
+// `h`: half the width over which the squares of incident cosines are spread.
+FacetRefraction refraction_near(double incidence, double eta, double h) {
+    const double square = eta * eta - (1.0 - incidence * incidence);
+    if (eta >= 1.0) return {fresnel(incidence, eta), std::sqrt(square) / eta};
+    const double g = mean_root(square, h);
+    const auto amplitude = [&](double kept) { return (kept - g) / std::max(kept + g, kTiny); };
+    const double s = amplitude(incidence), p = amplitude(eta * eta * incidence);
+    return {g > 0.0 ? std::min(0.5 * (s * s + p * p), 1.0) : 1.0, g / eta};
+}
+
+// Of what lies about each of these normals: half as wide as all are apart.
+double spread_of_incidence(const glm::dvec3& w, const std::array<glm::dvec3, 4>& normals) {
+    glm::dvec4 squares;
+    for (int n = 0; n < 4; ++n) squares[n] = std::pow(std::min(glm::dot(w, normals[n]), 1.0), 2);
+    const glm::dvec4 steps = squares - glm::dot(squares, glm::dvec4{0.25});
+    return std::max(std::sqrt(0.1875 * glm::dot(steps, steps)), kTiny);
+}
+
 double straight_sine(const glm::dvec3& w, double eta) {
     return std::min(w.x / eta, kMostSine);
 }
@@ -60,23 +93,26 @@ FacetEffect facet_effect(double cosine, double alpha, double eta) {
     const Facets facets{Ndf::ggx, alpha, alpha};
     Moments mirrored, reflected;
     double entering = 0.0, refracted = 0.0, sine = 0.0;
-    for (const glm::dvec2& u : kVisible) {
-        const glm::dvec3 wm = sample_visible_normal(facets, w, u);
+    std::array<glm::dvec3, kVisible.size()> normals;
+    std::ranges::transform(kVisible, normals.begin(), [&](const glm::dvec2& u) {
+        return sample_visible_normal(facets, w, u);
+    });
+    const double h = spread_of_incidence(w, normals);
+    const auto seen_at = [&](double z) { return masking(facets, direction_of(std::min(z, 1.0))); };
+    for (const glm::dvec3& wm : normals) {
         const double incidence = std::min(glm::dot(w, wm), 1.0);
-        const double reflectance = fresnel(incidence, eta);
+        const auto [reflectance, transmitted] = refraction_near(incidence, eta, h);
         const glm::dvec3 wr = 2.0 * incidence * wm - w;
         if (wr.z > 0.0) {
-            const double seen = masking(facets, wr);
+            const double seen = seen_at(wr.z);
             mirrored.add(wr, seen);
             reflected.add(wr, seen * reflectance);
         }
-        const double square = 1.0 - (1.0 - incidence * incidence) / (eta * eta);
-        if (square <= 0.0) continue;
-        // The refracted direction, mirrored to the side of w.
-        const double along = std::sqrt(square) - incidence / eta;
+        // The refracted direction, mirrored to the side of w; a mean, and so not quite a unit
+        // vector.
+        const double along = transmitted - incidence / eta;
         const glm::dvec3 wt{w.x / eta + along * wm.x, along * wm.y, w.z / eta + along * wm.z};
-        if (wt.z <= 0.0) continue;
-        const double share = (1.0 - reflectance) * masking(facets, wt);
+        const double share = wt.z > 0.0 ? (1.0 - reflectance) * seen_at(wt.z) : 0.0;
         entering += 1.0 - reflectance;
         refracted += share;
         sine += share * wt.x;

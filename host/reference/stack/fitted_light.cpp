@@ -29,12 +29,17 @@ std::size_t next_with_light(std::size_t n, const std::array<LobeLight, kCubicNod
     return n;
 }
 
+double least_entering_cosine(const StackInterface& top) {
+    const double eta = top.eta(true);
+    return std::max(std::sqrt(std::max(1.0 - eta * eta, 0.0)) - top.alpha, 0.0);
+}
+
 }  // namespace
 
 EnteredLight entered_light(const StackLayers& layers) {
-    EnteredLight light;
+    EnteredLight light{least_entering_cosine(layers.interfaces.front()), {}};
     for (std::size_t n = 0; n < kCubicNodes; ++n)
-        light[n] = light_of_entered(layers, cubic_node(n));
+        light.known[n] = light_of_entered(layers, cubic_node(n, light.least));
     return light;
 }
 
@@ -52,16 +57,17 @@ LobeLight FittedLobe::at(double cosine) const {
             width_of_alpha(std::clamp(alpha.at(cosine), narrowest, widest))};
 }
 
-FittedLobe fit_lobe(const std::array<LobeLight, kCubicNodes>& known) {
+FittedLobe fit_lobe(const std::array<LobeLight, kCubicNodes>& known, double least) {
     FittedLobe fit;
+    fit.energy.least = fit.alpha.least = least;
     for (std::size_t n = 0; n < kCubicNodes; ++n) {
         const std::size_t lit = next_with_light(n, known);
         fit.energy.known[n] = known[n].energy;
         fit.alpha.known[n] = alpha_of_width(known[lit].width);
     }
-    const auto [least, most] = std::ranges::minmax(fit.alpha.known);
-    fit.narrowest = least;
-    fit.widest = most;
+    const auto [narrowest, widest] = std::ranges::minmax(fit.alpha.known);
+    fit.narrowest = narrowest;
+    fit.widest = widest;
     return fit;
 }
 
@@ -73,14 +79,15 @@ Beam FittedBeam::at(double cosine) const {
     return beam;
 }
 
-FittedBeam fit_beam(const std::array<Beam, kCubicNodes>& known) {
+FittedBeam fit_beam(const std::array<Beam, kCubicNodes>& known, double least) {
     FittedBeam fit;
+    fit.sine_ratio.least = least;
     std::array<LobeLight, kCubicNodes> lobes;
     std::ranges::transform(known, lobes.begin(), all_of);
-    fit.lobe = fit_lobe(lobes);
+    fit.lobe = fit_lobe(lobes, least);
     for (std::size_t n = 0; n < kCubicNodes; ++n) {
         const std::size_t lit = next_with_light(n, lobes);
-        fit.sine_ratio.known[n] = sine_of(known[lit].cosine) / sine_of(cubic_node(lit));
+        fit.sine_ratio.known[n] = sine_of(known[lit].cosine) / sine_of(cubic_node(lit, least));
     }
     return fit;
 }

@@ -11,8 +11,13 @@
 
 namespace lacquer::reference {
 
-// What becomes of light that has entered at each of the cubics' nodes.
-using EnteredLight = std::array<StackLight, kCubicNodes>;
+// What becomes of light that has entered at each of the nodes of cubics from `least` on: as far
+// from the cosine of the top interface's critical angle as its facets tilt, beyond which hardly any
+// light enters a thinner medium.
+struct EnteredLight {
+    double least = 0.0;
+    std::array<StackLight, kCubicNodes> known;
+};
 
 EnteredLight entered_light(const StackLayers& layers);
 
@@ -28,8 +33,9 @@ struct FittedLobe {
     LobeLight at(double cosine) const;
 };
 
-// Of the lights at the nodes. Where there is none, alpha is that of the next node that has some.
-FittedLobe fit_lobe(const std::array<LobeLight, kCubicNodes>& known);
+// Of the lights at the nodes of cubics from `least` on. Where there is none, alpha is that of the
+// next node that has some.
+FittedLobe fit_lobe(const std::array<LobeLight, kCubicNodes>& known, double least);
 
 // A lobe with a mean direction of its own.
 struct FittedBeam {
@@ -39,6 +45,6 @@ struct FittedBeam {
     Beam at(double cosine) const;
 };
 
-FittedBeam fit_beam(const std::array<Beam, kCubicNodes>& known);
+FittedBeam fit_beam(const std::array<Beam, kCubicNodes>& known, double least);
 
 }  // namespace lacquer::reference

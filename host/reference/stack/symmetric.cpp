@@ -15,13 +15,13 @@ double entering(const StackInterface& top, double cosine) {
 template <typename Light, typename Take>
 std::array<Light, kCubicNodes> taken(const EnteredLight& entered, const Take& take) {
     std::array<Light, kCubicNodes> lights;
-    std::ranges::transform(entered, lights.begin(), take);
+    std::ranges::transform(entered.known, lights.begin(), take);
     return lights;
 }
 
 SymmetricLobe symmetric_lobe(const StackInterface& top,
-                             const std::array<LobeLight, kCubicNodes>& known) {
-    SymmetricLobe lobe{fit_lobe(known), {}};
+                             const std::array<LobeLight, kCubicNodes>& known, double least) {
+    SymmetricLobe lobe{fit_lobe(known, least), {}};
     if (!lobe.light.is_dark()) lobe.balance = fit_balance(top, lobe.light);
     return lobe;
 }
@@ -42,12 +42,16 @@ StackLight SymmetricLight::at(double cosine) const {
 SymmetricLight fit_symmetric(const StackLayers& layers, const EnteredLight& entered) {
     const StackInterface& top = layers.interfaces.front();
     using Of = const StackLight&;
-    return {
-        top,
-        symmetric_lobe(top, taken<LobeLight>(entered, [](Of light) { return light.interfaces; })),
-        symmetric_lobe(top, taken<LobeLight>(entered, [](Of light) { return light.base; })),
-        fit_beam(taken<Beam>(entered, [](Of light) { return light.straight; })),
-        fit_beam(taken<Beam>(entered, [](Of light) { return light.detoured; }))};
+    const auto lobe = [&](const auto& take) {
+        return symmetric_lobe(top, taken<LobeLight>(entered, take), entered.least);
+    };
+    const auto beam = [&](const auto& take) {
+        return fit_beam(taken<Beam>(entered, take), entered.least);
+    };
+    return {top, lobe([](Of light) { return light.interfaces; }),
+            lobe([](Of light) { return light.base; }),
+            beam([](Of light) { return light.straight; }),
+            beam([](Of light) { return light.detoured; })};
 }
 
 glm::dvec3 symmetric_value(const SymmetricLight& light, const glm::dvec3& wi,

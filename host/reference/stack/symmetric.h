@@ -34,7 +34,7 @@ struct SymmetricLight {
     FittedBeam straight, detoured;
 
     // As a viewer at `cosine` in (0, 1] sees it. The lobes' integral is that to 0.003 in the mean
-    // over random stacks; to 0.13 near the critical angle of a top interface into a thinner medium.
+    // over random stacks.
     StackLight at(double cosine) const;
 };
 

@@ -2,7 +2,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL 4.50, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 e7e2901639dd47085b86f9c9755a44af7e41f3ca5e11a7eacb28ede981925471.
+// Generated; source sha256 2cd8d691130f5240bf0cbe190f746df913371c8cf0ce2a1aeefd044937831880.
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
