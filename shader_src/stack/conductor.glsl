@@ -39,20 +39,22 @@ LqConductorAlbedo lq_conductor_albedo(const bool conducts, const float alpha, co
                                       const vec3 kappa) {
     const LqSegment row = lq_alpha_segment(alpha, LQ_CONDUCTOR_ALPHAS);
     const LqOctet nothing = LqOctet(vec4(0.0), vec4(0.0));
+    LqOctet red = nothing;
+    LqOctet green = nothing;
+    LqOctet blue = nothing;
+    // Channel by channel, then term by term: what is read is in the code once.
+    for (int channel = conducts ? 0 : 3; channel < 3; channel++) {
+        red = green;
+        green = blue;
+        blue = lq_conductor_material(eta[channel], kappa[channel]);
+    }
     LqConductorAlbedo albedo = LqConductorAlbedo(nothing, nothing, nothing);
-    // Channel by channel, and each term by term: what is read is in the code once.
-    const int channels = conducts ? 3 : 0;
-    for (int channel = 0; channel < channels; channel++) {
-        const LqOctet terms = lq_conductor_material(eta[channel], kappa[channel]);
-        LqOctet sum = nothing;
-        for (int k = 0; k < LQ_CONDUCTOR_TERMS; k++) {
-            sum = lq_octet_sum(
-                sum, lq_table_read_line(row, LQ_CONDUCTOR_TERMS, LQ_CONDUCTOR_FACETS + k),
-                lq_octet_number(terms, k));
-        }
-        albedo.red = albedo.green;
-        albedo.green = albedo.blue;
-        albedo.blue = sum;
+    for (int k = conducts ? 0 : LQ_CONDUCTOR_TERMS; k < LQ_CONDUCTOR_TERMS; k++) {
+        const LqOctet term =
+            lq_table_read_line(row, LQ_CONDUCTOR_TERMS, LQ_CONDUCTOR_FACETS + k);
+        albedo.red = lq_octet_sum(albedo.red, term, lq_octet_number(red, k));
+        albedo.green = lq_octet_sum(albedo.green, term, lq_octet_number(green, k));
+        albedo.blue = lq_octet_sum(albedo.blue, term, lq_octet_number(blue, k));
     }
     return albedo;
 }
