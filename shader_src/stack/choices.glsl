@@ -58,6 +58,9 @@ float lq_stack_density(const LqStackSurface surface, const LqStackView viewer, c
     if (is_open) {
         return lobes;
     }
+    if (LQ_STACK_LOBES == 2) {
+        return lobes + choices.w * diffuse;
+    }
     return lobes + choices.z * lq_stack_lobe_density(viewer.base, wi) + choices.w * diffuse;
 }
 

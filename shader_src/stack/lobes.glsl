@@ -19,8 +19,9 @@ struct LqStackLobe {
 
 // `top` is what the top interface reflects of light from everywhere, `multiple` the part of it that
 // has met more than one facet; `arriving` T of a Lambertian base. Lobes above the surface are those
-// of the interfaces below the top one and of a conductor; below it, mirrored, where no base is, those
-// of light that came straight through and of light that was reflected on the way.
+// of the interfaces below the top one and of a conductor, whose light is the former's where
+// LQ_STACK_LOBES is 2; below it, mirrored, where no base is, those of light that came straight
+// through and of light that was reflected on the way.
 struct LqStackView {
     vec3 wo;
     float top;
@@ -41,6 +42,18 @@ LqStackLobe lq_stack_lobe_of(const vec4 energy, const float alpha, const vec3 ab
     const float shaded = clamp(alpha, LQ_MIN_ALPHA, 1.0);
     const float single = max(lq_stack_single(min(about.z, 1.0), shaded), 0.01);
     return LqStackLobe(about, vec3(energy.x, energy.y, energy.z), 1.0 / single, shaded);
+}
+
+LqStackLobe lq_stack_no_lobe(const vec3 about) {
+    return LqStackLobe(about, vec3(0.0), 1.0, 1.0);
+}
+
+// Of a conductor.
+LqStackLobe lq_stack_base_lobe(const vec4 energy, const float alpha, const vec3 about) {
+    if (LQ_STACK_LOBES == 2) {
+        return lq_stack_no_lobe(about);
+    }
+    return lq_stack_lobe_of(energy, alpha, about);
 }
 
 // The direction of this cosine in the azimuth of w; along the normal that is x.
@@ -78,6 +91,15 @@ vec3 lq_stack_lobe_value(const LqStackLobe lobe, const vec3 wi) {
     return lobe.energy * (lobe.scale * lq_reflection_lobe(lq_lobe_facets(lobe), wi, lobe.about));
 }
 
+// f of the interfaces below the top one and of a conductor, for wi above the surface.
+vec3 lq_stack_inner_value(const LqStackView viewer, const vec3 wi) {
+    const vec3 interfaces = lq_stack_lobe_value(viewer.interfaces, wi);
+    if (LQ_STACK_LOBES == 2) {
+        return interfaces;
+    }
+    return interfaces + lq_stack_lobe_value(viewer.base, wi);
+}
+
 // f of what leaves below the surface; 0 unless wi is on that side.
 vec3 lq_stack_value_below(const LqStackView viewer, const vec3 wi) {
     const vec3 mirrored = vec3(wi.x, wi.y, -wi.z);
@@ -103,11 +125,20 @@ vec3 lq_stack_base_albedo(const LqStackView viewer) {
     return viewer.base.energy + viewer.arriving * viewer.diffuse.returned;
 }
 
-// What is sent to the viewer: by interfaces alone, by way of the base, and from below.
+// What is sent to the viewer: by interfaces alone, by way of the base, and from below. A lobe that
+// interfaces and a conductor share counts as the conductor's, which sends most of it.
 LqAlbedo lq_stack_view_albedo(const LqStackSurface surface, const LqStackView viewer) {
     const bool is_open = surface.base == LQ_STACK_BASE_NONE;
-    return LqAlbedo(vec3(viewer.top) + viewer.interfaces.energy, lq_stack_base_albedo(viewer),
-                    is_open ? viewer.straight.energy + viewer.detoured.energy : vec3(0.0));
+    const vec3 below = is_open ? viewer.straight.energy + viewer.detoured.energy : vec3(0.0);
+    const vec3 top = vec3(viewer.top);
+    const vec3 inner = viewer.interfaces.energy;
+    const vec3 by_base = lq_stack_base_albedo(viewer);
+    if (LQ_STACK_LOBES == 2) {
+        if (surface.base == LQ_STACK_BASE_CONDUCTOR) {
+            return LqAlbedo(top, by_base + inner, below);
+        }
+    }
+    return LqAlbedo(top + inner, by_base, below);
 }
 
 #endif

@@ -8,9 +8,14 @@
 
 #include "../microfacet/facets.glsl"
 
-// The most layers of a stack. Fewer make shaders smaller: define it before including this.
+// Choices made before including this. LQ_MAX_LAYERS: the most layers of a stack; fewer make shaders
+// smaller. LQ_STACK_LOBES: the lobes that interfaces and a conductor have above the surface. 3: of
+// the top interface, of those below it, and of the conductor; 2, for speed: the latter two are one.
 #ifndef LQ_MAX_LAYERS
 #define LQ_MAX_LAYERS 8
+#endif
+#ifndef LQ_STACK_LOBES
+#define LQ_STACK_LOBES 3
 #endif
 
 // What light meets on its way: interfaces, and media that scatter.

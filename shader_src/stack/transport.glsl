@@ -31,9 +31,10 @@ const int LQ_STACK_WAYS = 4;
 #define LQ_SHARE_ROWS 4
 
 // `top` is what the top interface reflects. The other light that leaves at the top: of lobes
-// reflected by lower interfaces at most, and by the base. What arrives at the bottom for the first
-// time, where no conductor is: `straight` what came straight down, `detoured` what was reflected on
-// the way. `returning` is what of diffuse light from there comes back.
+// reflected by lower interfaces at most, and by the base, or all of it in the former where
+// LQ_STACK_LOBES is 2. What arrives at the bottom for the first time, where no conductor is:
+// `straight` what came straight down, `detoured` what was reflected on the way. `returning` is what
+// of diffuse light from there comes back.
 struct LqStackLight {
     float top;
     vec4 interfaces;
@@ -154,6 +155,12 @@ LqStackLight lq_stack_light(const LqStackSurface surface, const int kind, const 
     }
     light.interfaces = escaped.interfaces + rest_of_interfaces;
     light.base = escaped.base + rest_of_base;
+    if (LQ_STACK_LOBES == 2) {
+        light.interfaces_width = lq_beam_width(
+            LqStackBeam(1.0, escaped.widths, light.interfaces, light.base));
+        light.interfaces += light.base;
+        light.base = vec4(0.0);
+    }
     if (!conducts) {
         vec4 mirror_above = vec4(0.0);
         vec4 arriving = vec4(0.0);

@@ -47,7 +47,7 @@ LqStackView lq_stack_view(const LqStackSurface surface, const vec3 wo) {
     const vec4 arriving = lq_stack_arriving(surface, diffuse_base.arriving, cosine);
     return LqStackView(wo, light.top, lq_stack_top_multiple(surface, cosine),
                        lq_stack_lobe_of(light.interfaces, lq_safe_sqrt(light.interfaces_width), wo),
-                       lq_stack_lobe_of(light.base, lq_safe_sqrt(light.base_width), wo),
+                       lq_stack_base_lobe(light.base, lq_safe_sqrt(light.base_width), wo),
                        lq_stack_exit_of(surface, light.straight, wo),
                        lq_stack_exit_of(surface, light.detoured, wo),
                        vec3(arriving.x, arriving.y, arriving.z), diffuse_base);
@@ -58,8 +58,7 @@ vec3 lq_stack_value(const LqStackSurface surface, const LqStackView viewer, cons
     if (!lq_is_above(wi)) {
         return lq_stack_value_below(viewer, wi);
     }
-    return lq_stack_outer_value(surface, viewer, wi) + lq_stack_lobe_value(viewer.interfaces, wi) +
-           lq_stack_lobe_value(viewer.base, wi);
+    return lq_stack_outer_value(surface, viewer, wi) + lq_stack_inner_value(viewer, wi);
 }
 
 #endif

@@ -32,6 +32,15 @@ LqStackLobe lq_symmetric_albedo_lobe(const LqSymmetricLobe lobe, const float ent
     return LqStackLobe(wo, entering * vec3(light.x, light.y, light.z), 1.0, light.w);
 }
 
+// Of a conductor.
+LqStackLobe lq_symmetric_base_lobe(const LqSymmetricLobe lobe, const float entering,
+                                   const vec3 wo) {
+    if (LQ_STACK_LOBES == 2) {
+        return lq_stack_no_lobe(wo);
+    }
+    return lq_symmetric_albedo_lobe(lobe, entering, wo);
+}
+
 LqStackLobe lq_symmetric_lobe_below(const LqFittedLobe lobe, const float entering,
                                     const float sine_ratio, const vec3 wo) {
     const float cosine = min(wo.z, 1.0);
@@ -51,7 +60,7 @@ LqStackSymmetricView lq_stack_symmetric_view(const LqStackSymmetricSurface surfa
     return LqStackSymmetricView(
         LqStackView(wo, 1.0 - entering, lq_stack_top_multiple(surface.stack, cosine),
                     lq_symmetric_albedo_lobe(surface.interfaces, entering, wo),
-                    lq_symmetric_albedo_lobe(surface.base, entering, wo),
+                    lq_symmetric_base_lobe(surface.base, entering, wo),
                     lq_symmetric_lobe_below(surface.straight, leaving, sine_ratios.x, wo),
                     lq_symmetric_lobe_below(surface.detoured, leaving, sine_ratios.y, wo),
                     vec3(arriving.x, arriving.y, arriving.z), surface.diffuse),
@@ -74,12 +83,15 @@ vec3 lq_stack_symmetric_value(const LqStackSymmetricSurface surface,
     const float cosine = min(wi.z, 1.0);
     const float entering = sqrt(lq_stack_entering(surface.stack, cosine));
     const float interfaces_share = lq_balance_value(surface.interfaces.balance, cosine) * entering;
+    const vec3 f = lq_stack_outer_value(surface.stack, viewer.lobes, wi) +
+                   interfaces_share * viewer.interfaces_share *
+                       lq_symmetric_lobe_value(surface.interfaces, wi, viewer.lobes.wo);
+    if (LQ_STACK_LOBES == 2) {
+        return f;
+    }
     const float base_share = lq_balance_value(surface.base.balance, cosine) * entering;
-    return lq_stack_outer_value(surface.stack, viewer.lobes, wi) +
-           interfaces_share * viewer.interfaces_share *
-               lq_symmetric_lobe_value(surface.interfaces, wi, viewer.lobes.wo) +
-           base_share * viewer.base_share *
-               lq_symmetric_lobe_value(surface.base, wi, viewer.lobes.wo);
+    return f + base_share * viewer.base_share *
+                   lq_symmetric_lobe_value(surface.base, wi, viewer.lobes.wo);
 }
 
 #endif

@@ -14,8 +14,9 @@ struct LqSymmetricLobe {
 };
 
 // Besides what the forward model has: light reflected by lower interfaces at most, and by a
-// conductor; without a base what comes straight down and what was reflected on the way, and the sine
-// of either's mean direction over that of the light that came (x and y); and a Lambertian base's.
+// conductor, or all of it in the former where LQ_STACK_LOBES is 2; without a base what comes straight
+// down and what was reflected on the way, and the sine of either's mean direction over that of the
+// light that came (x and y); and a Lambertian base's.
 struct LqStackSymmetricSurface {
     LqStackSurface stack;
     LqSymmetricLobe interfaces;

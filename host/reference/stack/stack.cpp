@@ -90,17 +90,24 @@ Chosen direction_from(const StackView& seen, const glm::dvec3& u) {
     return {transmission_sample(seen.transmission[n], point), true};
 }
 
+bool shares_lobe(const StackSurface& surface) {
+    return surface.layers.conductor && surface.conductor_lobe == ConductorLobe::shared;
+}
+
 }  // namespace
 
-StackSurface prepare_stack(const Material& material, const EnergyTables& tables, StackLobes lobes) {
+StackSurface prepare_stack(const Material& material, const EnergyTables& tables, StackLobes lobes,
+                           ConductorLobe conductor_lobe) {
     StackLayers layers = prepare_layers(material, tables);
     const Interface& interface = material.layers.front().interface;
     const Coat top = prepare_coat(std::get<Microsurface>(interface.roughness),
                                   interface.ior / material.exterior_ior, tables);
-    StackSurface surface{std::move(layers), top, {}, {}};
+    StackSurface surface{std::move(layers), top, conductor_lobe, {}, {}};
     const auto* base = std::get_if<LambertianBase>(&material.base);
     if (!base && lobes == StackLobes::forward) return surface;
-    const EnteredLight entered = entered_light(surface.layers);
+    EnteredLight entered = entered_light(surface.layers);
+    if (shares_lobe(surface))
+        for (StackLight& light : entered) light.merge_lobes();
     if (base)
         surface.diffuse = prepare_diffuse_base(surface.layers, entered, vector_of(base->albedo));
     if (lobes == StackLobes::symmetric) surface.symmetric = fit_symmetric(surface.layers, entered);
@@ -119,8 +126,9 @@ StackLobe lobe_of(const LobeLight& light, double cosine, const EnergyTables& tab
 StackView view(const StackSurface& surface, const glm::dvec3& wo) {
     const double cosine = std::min(wo.z, 1.0);
     const EnergyTables& tables = *surface.layers.tables;
-    const StackLight light = surface.symmetric ? surface.symmetric->at(cosine)
-                                               : light_from_above(surface.layers, cosine);
+    StackLight light = surface.symmetric ? surface.symmetric->at(cosine)
+                                         : light_from_above(surface.layers, cosine);
+    if (shares_lobe(surface)) light.merge_lobes();
     StackView seen{&surface, wo, light.top, {}, glm::dvec3{0.0}, {}, {}};
     if (sum(light.interfaces.energy) > 0.0)
         seen.lobes.push_back(lobe_of(light.interfaces, cosine, tables));

@@ -30,9 +30,13 @@
 
 namespace lacquer::reference {
 
+// Whether a conductor has a lobe of its own, or one with the interfaces above it.
+enum class ConductorLobe { own, shared };
+
 struct StackSurface {
     StackLayers layers;
     Coat top;
+    ConductorLobe conductor_lobe = ConductorLobe::own;
     std::optional<DiffuseBase> diffuse;
     std::optional<SymmetricLight> symmetric;  // none in the forward model
 };
@@ -41,7 +45,8 @@ enum class StackLobes { forward, symmetric };
 
 // `tables` must outlive the result. See prepare_layers for what it throws.
 StackSurface prepare_stack(const Material& material, const EnergyTables& tables,
-                           StackLobes lobes = StackLobes::forward);
+                           StackLobes lobes = StackLobes::forward,
+                           ConductorLobe conductor_lobe = ConductorLobe::own);
 
 // A GGX lobe of light that was reflected below the top interface.
 struct StackLobe {

@@ -361,6 +361,11 @@ class Transport {
 
 }  // namespace
 
+void StackLight::merge_lobes() {
+    base.add(interfaces);
+    interfaces = {};
+}
+
 StackLight light_from_above(const StackLayers& layers, double cosine) {
     return Transport{layers}.run(cosine);
 }

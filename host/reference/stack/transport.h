@@ -21,6 +21,9 @@ struct StackLight {
     // light that was reflected on the way.
     Beam straight, detoured;
 
+    // The base's lobe takes in that of the interfaces.
+    void merge_lobes();
+
     Energy arrived() const { return straight.energy() + detoured.energy(); }
 };
 
