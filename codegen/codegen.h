@@ -28,6 +28,17 @@ std::vector<std::string_view> level_names();
 Target target_from_name(std::string_view name);
 Form form_from_name(std::string_view name);
 
+// What stacks are compiled for, in levels that shade them.
+struct StackChoices {
+    int max_layers = 8;  // LQ_MAX_LAYERS
+    int lobes = 3;       // LQ_STACK_LOBES
+};
+
+// WGSL grants a function 8 KiB of variables, of which following light through n layers takes
+// 224 n + 48 bytes besides half a KiB.
+inline constexpr int kMinLayers = 1, kMaxLayers = 32;
+inline constexpr int kMinLobes = 2, kMaxLobes = 3;
+
 struct Binding {
     std::string name;
     unsigned set = 0, binding = 0;
@@ -84,12 +95,14 @@ struct Request {
     std::vector<Target> targets;      // empty: all
     std::vector<Form> forms;          // empty: both
     std::vector<std::string> levels;  // empty: all
+    StackChoices stacks;
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
 // What one request yields.
 struct Package {
     std::string source_sha256;  // of everything below shader_src
+    StackChoices stacks;
     std::vector<ShaderFile> files;
     std::vector<TableFile> tables;
 };
@@ -102,9 +115,9 @@ struct WgslAvailability {
 WgslAvailability wgsl_availability();
 
 // Generates everything asked for; the same request gives the same bytes. Throws UsageError for an
-// unknown level and where nothing is of the target and form asked for, Error with file, line and
-// the compiler's message where a source does not compile, and Error with the reason where WGSL is
-// asked for and not available.
+// unknown level, for choices out of range and where nothing is of the target and form asked for,
+// Error with file, line and the compiler's message where a source does not compile, and Error with
+// the reason where WGSL is asked for and not available.
 Package generate(const Request& request);
 
 // The manifest of a package as JSON text; its schema is manifest.schema.json.

@@ -119,9 +119,7 @@ Words to_spirv(const SourceTree& tree, const std::string& file, const std::strin
     const int lengths[] = {static_cast<int>(source.size())};
     const char* names[] = {name.c_str()};
     shader.setStringsWithLengthsAndNames(strings, lengths, names, 1);
-    // Without the final line break glslang reports an error about '#'.
-    const std::string preamble = fmt::format("#define {} 1\n", options.define);
-    if (!options.define.empty()) shader.setPreamble(preamble.c_str());
+    shader.setPreamble(options.preamble.c_str());
     shader.setEnvInput(glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, kGlslVersion);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);

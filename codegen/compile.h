@@ -14,7 +14,7 @@ using Words = std::vector<std::uint32_t>;
 
 struct CompileOptions {
     Stage stage = Stage::compute;
-    std::string_view define;  // of the level
+    std::string preamble;  // whole lines that stand before the source; see level_preamble
     // Keep the names of global constants, which are otherwise folded into their uses: they become
     // specialization constants, and names.h makes ordinary ones of them again. For text only.
     bool named_constants = false;

@@ -33,6 +33,7 @@ struct Variant {
     Form form = Form::kernel;
     KernelSource source;
     std::string text;  // to compile
+    std::string preamble;
     std::vector<SourceModule> modules;
     std::string source_sha256;  // of those
 };
@@ -55,16 +56,18 @@ std::string hash_of(const SourceTree& tree, const std::vector<SourceModule>& mod
     return sha256(all);
 }
 
-Variant kernel_variant(const SourceTree& tree, const Level& level, const KernelSource& source) {
-    Variant variant{&level, Form::kernel, source, tree.text(source.file), {}, {}};
+Variant kernel_variant(const SourceTree& tree, const Level& level, const std::string& preamble,
+                       const KernelSource& source) {
+    Variant variant{&level, Form::kernel, source, tree.text(source.file), preamble, {}, {}};
     variant.modules = read_declarations(tree, source.file);
     variant.source_sha256 = hash_of(tree, variant.modules);
     return variant;
 }
 
-Variant library_variant(const SourceTree& tree, const Level& level) {
+Variant library_variant(const SourceTree& tree, const Level& level, const std::string& preamble) {
     const std::string source{level.source};
-    Variant variant{&level, Form::library, {{}, "library.frag", kLibraryStage}, {}, {}, {}};
+    Variant variant{&level, Form::library, {{}, "library.frag", kLibraryStage}, {}, preamble, {},
+                    {}};
     variant.modules = read_declarations(tree, source);
     variant.text = library_entry(source, variant.modules);
     variant.source_sha256 = hash_of(tree, variant.modules);
@@ -81,8 +84,8 @@ std::map<std::string, std::size_t> instruction_counts(const SourceTree& tree,
         const std::string text =
             function_entry(std::string{variant.level->source}, variant.modules, name);
         if (text.empty()) continue;
-        SpirvModule module{compile(tree, variant.source.file, text,
-                                   {variant.source.stage, variant.level->define})};
+        SpirvModule module{
+            compile(tree, variant.source.file, text, {variant.source.stage, variant.preamble})};
         cut_signatures(module);
         counts[name] = optimised_instruction_count(module.words(), name);
     }
@@ -90,7 +93,7 @@ std::map<std::string, std::size_t> instruction_counts(const SourceTree& tree,
 }
 
 CompiledVariant compile_variant(const SourceTree& tree, const Variant& variant) {
-    CompileOptions options{variant.source.stage, variant.level->define};
+    CompileOptions options{variant.source.stage, variant.preamble};
     SpirvModule executed{compile(tree, variant.source.file, variant.text, options)};
     cut_signatures(executed);
     mark_read_only_buffers(executed);
@@ -135,7 +138,7 @@ std::filesystem::path file_path(const Variant& variant, Target target) {
 }
 
 void fill_text(ShaderFile& file, const Variant& variant, const CompiledVariant& compiled,
-               const std::string& naga) {
+               const std::string& naga, const StackChoices& stacks) {
     const text::Dialect dialect = dialect_of(file.target);
     text::Statements statements = emit(compiled, file.target, naga);
     if (file.form == Form::library) {
@@ -152,12 +155,12 @@ void fill_text(ShaderFile& file, const Variant& variant, const CompiledVariant& 
     // Only a version may stand above the first comment in every dialect of GLSL.
     const std::size_t version = body.starts_with("#version") ? body.find('\n') + 1 : 0;
     file.contents = body.substr(0, version) +
-                    file_head(file, *variant.level, variant.source_sha256) +
+                    file_head(file, *variant.level, stacks, variant.source_sha256) +
                     body.substr(version == 0 ? 0 : body.find_first_not_of('\n', version));
 }
 
 ShaderFile make_file(const Variant& variant, const CompiledVariant& compiled, Target target,
-                     const std::string& naga) {
+                     const std::string& naga, const StackChoices& stacks) {
     ShaderFile file;
     file.path = file_path(variant, target);
     file.target = target;
@@ -180,7 +183,7 @@ ShaderFile make_file(const Variant& variant, const CompiledVariant& compiled, Ta
         file.contents = {reinterpret_cast<const char*>(compiled.words.data()),
                          compiled.words.size() * sizeof(Words::value_type)};
     else
-        fill_text(file, variant, compiled, naga);
+        fill_text(file, variant, compiled, naga, stacks);
     file.sha256 = sha256(file.contents);
     return file;
 }
@@ -201,11 +204,13 @@ std::vector<Variant> chosen_variants(const SourceTree& tree, const Request& requ
     std::vector<Variant> variants;
     for (const Level& level : all_levels()) {
         if (!chosen(request.levels, std::string{level.name})) continue;
+        const std::string preamble = level_preamble(level, request.stacks);
         if (chosen(request.forms, Form::kernel))
             for (const KernelSource& source : all_kernels(tree))
                 if (has_kernel(tree, level, source))
-                    variants.push_back(kernel_variant(tree, level, source));
-        if (chosen(request.forms, Form::library)) variants.push_back(library_variant(tree, level));
+                    variants.push_back(kernel_variant(tree, level, preamble, source));
+        if (chosen(request.forms, Form::library))
+            variants.push_back(library_variant(tree, level, preamble));
     }
     return variants;
 }
@@ -283,6 +288,7 @@ std::vector<std::string> naga_texts(const std::vector<Variant>& variants,
 }  // namespace
 
 Package generate(const Request& request) {
+    require_valid(request.stacks);
     require_naga(request);
     const SourceTree tree{request.source_root};
     const std::vector<Variant> variants = chosen_variants(tree, request);
@@ -296,10 +302,11 @@ Package generate(const Request& request) {
     });
     std::vector<std::string> naga(variants.size());
     if (chosen(request.targets, Target::wgsl)) naga = naga_texts(variants, compiled);
-    Package package{tree.hash(), std::vector<ShaderFile>(jobs.size()), {}};
+    Package package{tree.hash(), request.stacks, std::vector<ShaderFile>(jobs.size()), {}};
     tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
         const auto [variant, target] = jobs[i];
-        package.files[i] = make_file(variants[variant], compiled[variant], target, naga[variant]);
+        package.files[i] =
+            make_file(variants[variant], compiled[variant], target, naga[variant], request.stacks);
         counter.advance();
     });
     const bool tables = std::ranges::any_of(

@@ -89,7 +89,7 @@ std::string layers_wanted(Target target) {
 
 }  // namespace
 
-std::string file_head(const ShaderFile& file, const Level& level,
+std::string file_head(const ShaderFile& file, const Level& level, const StackChoices& stacks,
                       const std::string& source_sha256) {
     std::string head = fmt::format(
         "// Lacquer {}, {}: {}.\n"
@@ -98,6 +98,9 @@ std::string file_head(const ShaderFile& file, const Level& level,
         "// Generated; source sha256 {}.\n",
         kVersion, level.name, level.description, target_entry(file.target).description,
         form_description(file), source_sha256);
+    if (level.reads_layers)
+        head += fmt::format("// Chosen at export: LQ_MAX_LAYERS {}, LQ_STACK_LOBES {}.\n",
+                            stacks.max_layers, stacks.lobes);
     if (file.form == Form::library) head += kConventions;
     if (file.form == Form::library && level.reads_tables) head += tables_wanted(file.target);
     if (file.form == Form::library && level.reads_layers) head += layers_wanted(file.target);

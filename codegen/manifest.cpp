@@ -60,6 +60,10 @@ Json to_json(const ShaderFile& file) {
             {"sha256", file.sha256}};
 }
 
+Json to_json(const StackChoices& stacks) {
+    return {{"max_layers", stacks.max_layers}, {"lobes", stacks.lobes}};
+}
+
 Json to_json(const TableFile& table) {
     return {
         {"path", table.path.generic_string()}, {"name", kTables},       {"format", table.format},
@@ -72,6 +76,7 @@ Json to_json(const TableFile& table) {
 std::string manifest(const Package& package) {
     const Json json{{"version", kVersion},
                     {"source_sha256", package.source_sha256},
+                    {"stacks", to_json(package.stacks)},
                     {"files", to_json(package.files)},
                     {"tables", to_json(package.tables)}};
     return json.dump(2) + "\n";

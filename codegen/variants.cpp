@@ -67,6 +67,23 @@ const Level& level_from_name(std::string_view name) {
     throw UsageError{fmt::format("level '{}' is not one of: {}", name, known)};
 }
 
+std::string level_preamble(const Level& level, const StackChoices& stacks) {
+    std::string lines = fmt::format("#define {} 1\n", level.define);
+    if (level.reads_layers)
+        lines += fmt::format("#define LQ_MAX_LAYERS {}\n#define LQ_STACK_LOBES {}\n",
+                             stacks.max_layers, stacks.lobes);
+    return lines;
+}
+
+void require_valid(const StackChoices& stacks) {
+    const auto require = [](std::string_view name, int value, int min, int max) {
+        if (value < min || value > max)
+            throw UsageError{fmt::format("{}: {} is not in [{}, {}]", name, value, min, max)};
+    };
+    require("max-layers", stacks.max_layers, kMinLayers, kMaxLayers);
+    require("stack-lobes", stacks.lobes, kMinLobes, kMaxLobes);
+}
+
 std::vector<KernelSource> all_kernels(const SourceTree& tree) {
     std::vector<KernelSource> kernels;
     for (const auto& [name, text] : tree.files()) {

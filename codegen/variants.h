@@ -18,8 +18,14 @@ struct Level {
     std::string_view define;
     std::string_view description;
     bool reads_tables = false;  // then whoever uses the library form supplies lq_table_texel
-    bool reads_layers = false;  // and then lq_stack_row
+    bool reads_layers = false;  // and then lq_stack_row: it shades stacks
 };
+
+// The macros that make kernels shade by the level, and stacks what was chosen: lines of GLSL.
+std::string level_preamble(const Level& level, const StackChoices& stacks);
+
+// Throws UsageError naming the choice that is out of range, and the range.
+void require_valid(const StackChoices& stacks);
 
 enum class Stage { compute, vertex, fragment };
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/options.h"
 #include "codegen/codegen.h"
 #include "core/error.h"
 #include "core/paths.h"
@@ -29,6 +30,11 @@ height as `tables` of sphere_view. In the form `library` define
 lq_table_texel(index) yourself; the head of the file says how. In Metal it can only read an array
 of constants: nothing bound is global there.
 
+The levels stack and stack_symmetric are compiled for stacks of at most --max-layers layers, with
+--stack-lobes lobes: 3, of the top interface, of those below it, and of a conductor; or 2, for speed,
+the latter two as one with the light of both and its mean width. `albedo` then counts all of that as
+the base's. Kernels take 3 + 3 max-layers rows a stack.
+
 Targets: {}.
 Forms: kernel, library.
 Levels: {}.
@@ -36,7 +42,8 @@ Without --target, --form or --level all there are.
 
 Examples:
   lacquer export --all -o shaders
-  lacquer export --target hlsl60 --target wgsl --form library -o shaders)";
+  lacquer export --target hlsl60 --target wgsl --form library -o shaders
+  lacquer export --level stack --max-layers 2 --stack-lobes 2 -o shaders)";
 
 std::string help() {
     std::string targets;
@@ -48,6 +55,7 @@ std::string help() {
 struct Arguments {
     bool all = false;
     std::vector<std::string> targets, forms, levels;
+    codegen::StackChoices stacks;
     std::filesystem::path folder;
     bool json = false;
 };
@@ -61,6 +69,10 @@ codegen::Request request_of(const Arguments& arguments) {
     for (const std::string& name : arguments.forms)
         request.forms.push_back(codegen::form_from_name(name));
     request.levels = arguments.levels;
+    require_range("--max-layers", arguments.stacks.max_layers, codegen::kMinLayers,
+                  codegen::kMaxLayers);
+    require_range("--stack-lobes", arguments.stacks.lobes, codegen::kMinLobes, codegen::kMaxLobes);
+    request.stacks = arguments.stacks;
     return request;
 }
 
@@ -122,6 +134,13 @@ void add_export_command(CLI::App& app) {
         ->excludes(all);
     command->add_option("--level", arguments->levels, "A part of the library; may be repeated")
         ->excludes(all);
+    command->add_option(
+        "--max-layers", arguments->stacks.max_layers,
+        fmt::format("The most layers of a stack: {} to {}; {} if not given", codegen::kMinLayers,
+                    codegen::kMaxLayers, arguments->stacks.max_layers));
+    command->add_option(
+        "--stack-lobes", arguments->stacks.lobes,
+        fmt::format("The lobes of a stack, 2 or 3; {} if not given", arguments->stacks.lobes));
     command->add_option("-o,--output", arguments->folder, "The folder to write to; made if missing")
         ->required();
     command->add_flag("--json", arguments->json, "Print the manifest instead of a table");

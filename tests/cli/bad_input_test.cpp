@@ -62,6 +62,21 @@ TEST(BadUsage, QueryCountsOutsideTheRangeNameIt) {
         expect_failure(run_lacquer({"bench", "--queries", count}), kUsage, {"--queries", count});
 }
 
+TEST(BadUsage, ChoicesOfAnExportOutsideTheirRangeNameIt) {
+    const TemporaryFolder folder;
+    const std::string output = (folder / "shaders").string();
+    for (const char* layers : {"0", "33", "-8"})
+        expect_failure(run_lacquer({"export", "--max-layers", layers, "-o", output}), kUsage,
+                       {"--max-layers", layers, "[1, 32]"});
+    for (const char* lobes : {"1", "4"})
+        expect_failure(run_lacquer({"export", "--stack-lobes", lobes, "-o", output}), kUsage,
+                       {"--stack-lobes", lobes, "[2, 3]"});
+    for (const char* option : {"--max-layers", "--stack-lobes"})
+        expect_failure(run_lacquer({"export", option, "many", "-o", output}), kUsage,
+                       {option, "many"});
+    EXPECT_THAT(folder.entries(), IsEmpty());
+}
+
 TEST(BadUsage, NumbersOutsideTheirRangeNameIt) {
     const TemporaryFolder folder;
     const std::string output = (folder / "x.exr").string();

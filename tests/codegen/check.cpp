@@ -10,6 +10,7 @@
 #include "codegen/naga.h"
 #include "codegen/variants.h"
 #include "core/file.h"
+#include "core/process.h"
 #include "support/temporary_folder.h"
 
 namespace lacquer::test {
@@ -151,6 +152,22 @@ std::string as_shader(const codegen::ShaderFile& file) {
     }
 }
 
+namespace {
+
+// What the C++ compiler says against Metal, through the shim of the backend msl: Apple's compiler
+// runs nowhere else.
+std::string msl_complaint(const codegen::ShaderFile& file) {
+    const TemporaryFolder folder;
+    const std::filesystem::path source = folder / "shader.cpp";
+    write_file(source, stand_ins(file) + file.contents);
+    const ProcessResult result = run_process(
+        CXX_COMPILER, {"-std=c++20", "-fsyntax-only", "-D_MSC_EXTENSIONS", "-Wno-attributes",
+                       "-fsingle-precision-constant", "-I", MSL_SHIM, source.string()});
+    return result.exit_code == 0 ? std::string{} : result.err;
+}
+
+}  // namespace
+
 std::string complaint(const codegen::ShaderFile& file) {
     const std::string text = as_shader(file);
     const std::string stage = file.entry_points.empty() ? "fragment" : file.entry_points[0].stage;
@@ -162,7 +179,7 @@ std::string complaint(const codegen::ShaderFile& file) {
         case codegen::text::Dialect::wgsl:
             return codegen::translate_from_wgsl({&text, 1}).at(0).complaint;
         case codegen::text::Dialect::msl:
-            break;
+            return msl_complaint(file);
     }
     return "no compiler";
 }

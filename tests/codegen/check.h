@@ -35,7 +35,7 @@ std::string stand_ins(const codegen::ShaderFile& file);
 // What makes `file` a shader of its own: functions get an empty main around them.
 std::string as_shader(const codegen::ShaderFile& file);
 
-// What is said against a text file of any language but MSL; empty where it compiles.
+// What is said against a text file of any language; empty where it compiles.
 std::string complaint(const codegen::ShaderFile& file);
 
 // The code of a text without its comments.

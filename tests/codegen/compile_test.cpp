@@ -6,9 +6,6 @@
 #include "check.h"
 #include "codegen/compile.h"
 #include "codegen/naga.h"
-#include "core/file.h"
-#include "core/process.h"
-#include "support/temporary_folder.h"
 
 namespace lacquer::test {
 namespace {
@@ -55,21 +52,9 @@ TEST(Compile, NagaRefusesWhatIsNotWgsl) {
     EXPECT_NE(codegen::translate_from_wgsl({&wrong, 1}).at(0).complaint, "");
 }
 
-// What the C++ compiler says against Metal, through the shim of the backend msl: Apple's compiler
-// runs nowhere else.
-std::string msl_complaint(const ShaderFile& file) {
-    const TemporaryFolder folder;
-    const std::filesystem::path source = folder / "shader.cpp";
-    write_file(source, stand_ins(file) + file.contents);
-    const ProcessResult result = run_process(
-        CXX_COMPILER, {"-std=c++20", "-fsyntax-only", "-D_MSC_EXTENSIONS", "-Wno-attributes",
-                       "-fsingle-precision-constant", "-I", MSL_SHIM, source.string()});
-    return result.exit_code == 0 ? std::string{} : result.err;
-}
-
 TEST(Compile, MslLibrariesCompileAsCpp) {
     for (const ShaderFile& file : files_of(Target::msl, Form::library))
-        EXPECT_EQ(msl_complaint(file), "") << file.path;
+        EXPECT_EQ(complaint(file), "") << file.path;
 }
 
 // Shader source of later levels: arrays of structs, nested loops, tables, bits, choices.
@@ -77,8 +62,7 @@ TEST(Compile, ConstructsCompileInEveryLanguage) {
     for (const ShaderFile& file : with_constructs().files) {
         const bool library = file.form == Form::library;
         if (file.target == Target::spirv || (!library && file.kernel != "constructs")) continue;
-        const std::string said = file.target == Target::msl ? msl_complaint(file) : complaint(file);
-        EXPECT_EQ(said, "") << file.path << "\n" << file.contents;
+        EXPECT_EQ(complaint(file), "") << file.path << "\n" << file.contents;
     }
 }
 

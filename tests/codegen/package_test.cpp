@@ -169,6 +169,18 @@ TEST(Package, ManifestFitsItsSchema) {
     EXPECT_TRUE(fits_schema(manifest_of(everything())));
 }
 
+TEST(Package, ManifestNamesWhatWasChosen) {
+    EXPECT_EQ(manifest_of(everything()).at("stacks"), (json{{"max_layers", 8}, {"lobes", 3}}));
+    Package package;
+    package.source_sha256 = everything().source_sha256;
+    for (const int layers : {codegen::kMinLayers, codegen::kMaxLayers}) {
+        package.stacks = {layers, 2};
+        const json manifest = manifest_of(package);
+        EXPECT_EQ(manifest.at("stacks"), (json{{"max_layers", layers}, {"lobes", 2}}));
+        EXPECT_TRUE(fits_schema(manifest));
+    }
+}
+
 TEST(Package, SchemaRefusesOtherDocuments) {
     const json good = manifest_of(everything());
     const auto refuses = [&](const auto& change) {
@@ -177,6 +189,9 @@ TEST(Package, SchemaRefusesOtherDocuments) {
         return !fits_schema(changed);
     };
     EXPECT_TRUE(refuses([](json& m) { m.erase("version"); }));
+    EXPECT_TRUE(refuses([](json& m) { m.erase("stacks"); }));
+    EXPECT_TRUE(refuses([](json& m) { m["stacks"]["lobes"] = 4; }));
+    EXPECT_TRUE(refuses([](json& m) { m["stacks"]["max_layers"] = codegen::kMaxLayers + 1; }));
     EXPECT_TRUE(refuses([](json& m) { m["files"][0]["sha256"] = "0"; }));
     EXPECT_TRUE(refuses([](json& m) { m["files"][0]["target"] = "cg"; }));
     EXPECT_TRUE(refuses([](json& m) { m["files"][0]["bytes"] = -1; }));
