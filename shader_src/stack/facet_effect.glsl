@@ -19,11 +19,13 @@ const float LQ_TINY_SPREAD = 1.0e-9;
 
 // `reflected_tilt` is how much closer to the normal light is reflected than by perfect mirrors, as a
 // difference of mean cosines; `reflected_width` the ratio of the spreads; `refracted_sine` that of
-// the mean of what is refracted.
+// the mean of what is refracted; `crossing_sine` that of the one direction that crosses what lies
+// below as all of it does: into a denser medium halfway to that of the mean cosine, which is less.
 struct LqFacetEffect {
     float reflected_tilt;
     float reflected_width;
     float refracted_sine;
+    float crossing_sine;
 };
 
 // 1 / length of vectors whose components these are.
@@ -100,8 +102,8 @@ vec4 lq_masking_of_four(const vec4 cosines, const float alpha) {
 LqFacetEffect lq_facet_effect(const float cosine, const float alpha, const float eta) {
     const float inverse_eta = 1.0 / eta;
     if (alpha < LQ_MIN_ALPHA) {
-        return LqFacetEffect(0.0, 1.0,
-                             min(lq_sine_from_cosine(cosine) * inverse_eta, LQ_MOST_SINE));
+        const float sine = min(lq_sine_from_cosine(cosine) * inverse_eta, LQ_MOST_SINE);
+        return LqFacetEffect(0.0, 1.0, sine, sine);
     }
     const float c = max(cosine, LQ_LEAST_COSINE);
     const float s = lq_sine_from_cosine(c);
@@ -153,7 +155,7 @@ LqFacetEffect lq_facet_effect(const float cosine, const float alpha, const float
     const float entering_light = dot(entering, vec4(1.0));
     const float refracted_light = dot(refracted, vec4(1.0));
 
-    LqFacetEffect effect = LqFacetEffect(0.0, 1.0, straight);
+    LqFacetEffect effect = LqFacetEffect(0.0, 1.0, straight, straight);
     if (reflected_light > LQ_TINY_SPREAD) {
         effect.reflected_tilt =
             dot(reflected, step_z) * reflected_share - dot(mirrored, step_z) * mirrored_share;
@@ -161,21 +163,31 @@ LqFacetEffect lq_facet_effect(const float cosine, const float alpha, const float
     }
     // What the surface shadows is scattered again, and no more oblique than if it were smooth.
     if (refracted_light > LQ_TINY_SPREAD) {
-        effect.refracted_sine = clamp(
-            (dot(refracted, refracted_x) + (entering_light - refracted_light) * straight) /
-                entering_light, 0.0, LQ_MOST_SINE);
+        const float shadowed = entering_light - refracted_light;
+        const float sine = (dot(refracted, refracted_x) + shadowed * straight) / entering_light;
+        const float mean_cosine = (dot(refracted, refracted_z) +
+                                   shadowed * lq_sine_from_cosine(straight)) / entering_light;
+        effect.refracted_sine = clamp(sine, 0.0, LQ_MOST_SINE);
+        effect.crossing_sine = effect.refracted_sine;
+        if (eta >= 1.0) {
+            effect.crossing_sine =
+                min(0.5 * (max(sine, 0.0) + lq_sine_from_cosine(mean_cosine)), LQ_MOST_SINE);
+        }
     }
     return effect;
 }
 
 // Of refracted light: how a lobe's roughness scales (x), and the roughness that facets add (y).
 // Snell's law scales the projected disk by 1 / eta, and a lobe of roughness alpha is alpha cos_theta
-// wide there. Belcour 2018, Eq. 10, with cosines as magnitudes.
+// wide there. Belcour 2018, Eq. 10, with cosines as magnitudes; but reflections by facets of more
+// than cos_theta^2 lean far up from grazing, where light refracted by such facets stays close to it.
 vec2 lq_refracted_roughness(const float cosine, const float refracted_cosine, const float alpha,
                             const float eta) {
     const float stretch = cosine / (eta * max(refracted_cosine, LQ_LEAST_COSINE));
     const float turn = min(0.5 * abs(1.0 - stretch), 1.0);
-    return vec2(clamp(stretch, 0.1, 3.0), LQ_REFRACTION_WIDTH * turn * alpha);
+    const float added = LQ_REFRACTION_WIDTH * turn * alpha;
+    const float most = refracted_cosine * refracted_cosine;
+    return vec2(clamp(stretch, 0.1, 3.0), added / sqrt(1.0 + lq_square(added / most)));
 }
 
 #endif

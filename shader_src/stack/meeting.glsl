@@ -28,11 +28,12 @@ LqStackBeam lq_mirrored_beam(const LqStackBeam beam, const float alpha,
                        lq_widened(beam.widths, 1.0, added), beam.interfaces, beam.base);
 }
 
-// What of a beam about `cosine` it lets through, into a medium of index `eta` over this one's.
+// What of a beam about `cosine` it lets through, into a medium of index `eta` over this one's;
+// `mean` is the sine of what all of the beam becomes.
 LqStackBeam lq_bent_beam(const LqStackBeam part, const float cosine, const float alpha,
-                         const float eta, const LqFacetEffect facets) {
+                         const float eta, const float mean) {
     const float sine_step = lq_sine_from_cosine(part.cosine) - lq_sine_from_cosine(cosine);
-    const float sine = clamp(facets.refracted_sine + sine_step / eta, 0.0, LQ_MOST_SINE);
+    const float sine = clamp(mean + sine_step / eta, 0.0, LQ_MOST_SINE);
     const float refracted = lq_sine_from_cosine(sine);
     const vec2 roughness = lq_refracted_roughness(part.cosine, refracted, alpha, eta);
     const float added = lq_lobe_variance(lq_square(roughness.y));
@@ -56,14 +57,14 @@ LqMeeting lq_meet_interface(const LqStackBeam beam, const LqStackNodes nodes, co
         refracted.cosine = cosine;
     }
     const LqFacetEffect kept = lq_facet_effect(beam.cosine, at.alpha, eta);
-    LqFacetEffect passed = kept;
+    float mean = kept.crossing_sine;
     for (int looks = leaves ? 1 : 0; looks > 0; looks--) {
-        passed = lq_facet_effect(cosine, at.alpha, eta);
+        mean = lq_facet_effect(cosine, at.alpha, eta).refracted_sine;
     }
     return LqMeeting(reflected.share, refracted.share,
                      lq_mirrored_beam(lq_part_of(beam, reflected), at.lobe_alpha, kept),
                      lq_bent_beam(lq_part_of(beam, refracted), cosine, at.lobe_alpha, eta,
-                                  passed));
+                                  mean));
 }
 
 // A beam meets a medium that scatters.
@@ -108,7 +109,7 @@ LqMeeting lq_meet_base(const LqStackBeam beam, const LqStackNodes nodes, const v
     LqStackBeam kept = lq_part_of(beam, part);
     if (conducts) {
         kept = lq_met_base(
-            lq_mirrored_beam(kept, surface.base_lobe_alpha, LqFacetEffect(0.0, 1.0, 0.0)));
+            lq_mirrored_beam(kept, surface.base_lobe_alpha, LqFacetEffect(0.0, 1.0, 0.0, 0.0)));
     }
     return LqMeeting(part.share, vec4(0.0), kept, lq_no_beam());
 }

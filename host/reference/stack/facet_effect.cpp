@@ -79,6 +79,10 @@ double spread_of_incidence(const glm::dvec3& w, const std::array<glm::dvec3, 4>&
     return std::max(std::sqrt(0.1875 * glm::dot(steps, steps)), kTiny);
 }
 
+double other(double sine_or_cosine) {
+    return std::sqrt(std::max(1.0 - sine_or_cosine * sine_or_cosine, 0.0));
+}
+
 double straight_sine(const glm::dvec3& w, double eta) {
     return std::min(w.x / eta, kMostSine);
 }
@@ -88,11 +92,12 @@ double straight_sine(const glm::dvec3& w, double eta) {
 FacetEffect facet_effect(double cosine, double alpha, double eta) {
     const glm::dvec3 w = direction_of(std::max(cosine, alpha < kMinAlpha ? 0.0 : kLeastCosine));
     FacetEffect effect;
-    effect.refracted_sine = straight_sine(w, eta);
+    effect.refracted_sine = effect.crossing_sine = straight_sine(w, eta);
     if (alpha < kMinAlpha) return effect;
     const Facets facets{Ndf::ggx, alpha, alpha};
     Moments mirrored, reflected;
-    double entering = 0.0, refracted = 0.0, sine = 0.0;
+    double entering = 0.0;
+    Moments refracted;
     std::array<glm::dvec3, kVisible.size()> normals;
     std::ranges::transform(kVisible, normals.begin(), [&](const glm::dvec2& u) {
         return sample_visible_normal(facets, w, u);
@@ -114,8 +119,7 @@ FacetEffect facet_effect(double cosine, double alpha, double eta) {
         const glm::dvec3 wt{w.x / eta + along * wm.x, along * wm.y, w.z / eta + along * wm.z};
         const double share = wt.z > 0.0 ? (1.0 - reflectance) * seen_at(wt.z) : 0.0;
         entering += 1.0 - reflectance;
-        refracted += share;
-        sine += share * wt.x;
+        refracted.add(wt, share);
     }
     if (reflected.light > kTiny) {
         effect.reflected_tilt = reflected.mean_cosine() - mirrored.mean_cosine();
@@ -123,9 +127,15 @@ FacetEffect facet_effect(double cosine, double alpha, double eta) {
             std::clamp(std::sqrt(reflected.spread() / mirrored.spread()), kLeastWidth, kMostWidth);
     }
     // What the surface shadows is scattered again, and no more oblique than if it were smooth.
-    if (refracted > kTiny)
-        effect.refracted_sine = std::clamp(
-            (sine + (entering - refracted) * effect.refracted_sine) / entering, 0.0, kMostSine);
+    if (refracted.light > kTiny) {
+        const double straight = effect.refracted_sine, shadowed = entering - refracted.light;
+        const double sine = (refracted.along + shadowed * straight) / entering;
+        const double mean_cosine = (refracted.cosine + shadowed * other(straight)) / entering;
+        effect.refracted_sine = std::clamp(sine, 0.0, kMostSine);
+        effect.crossing_sine =
+            eta < 1.0 ? effect.refracted_sine
+                      : std::min(0.5 * (std::max(sine, 0.0) + other(mean_cosine)), kMostSine);
+    }
     return effect;
 }
 
@@ -133,7 +143,10 @@ RefractedRoughness refracted_roughness(double cosine, double refracted_cosine, d
                                        double eta) {
     const double stretch = cosine / (eta * std::max(refracted_cosine, kLeastCosine));
     const double turn = std::min(0.5 * std::abs(1.0 - stretch), 1.0);
-    return {std::clamp(stretch, kLeastStretch, kMostStretch), kRefractionWidth * turn * alpha};
+    const double added = kRefractionWidth * turn * alpha;
+    const double most = refracted_cosine * refracted_cosine;
+    return {std::clamp(stretch, kLeastStretch, kMostStretch),
+            added / std::sqrt(1.0 + added * added / (most * most))};
 }
 
 }  // namespace lacquer::reference

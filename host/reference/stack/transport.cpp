@@ -203,7 +203,8 @@ class Transport {
         const Beam kept = mirrored(reflected.of(beam, mean), interface.lobe_alpha, facets);
         Beam passed = is_way_out(n, downwards)
                           ? let_out(refracted.by_sine(beam, cosines), interface, eta)
-                          : bent(refracted.of(beam, mean), beam, interface.lobe_alpha, eta, facets);
+                          : bent(refracted.of(beam, mean), beam, interface.lobe_alpha, eta,
+                                 facets.crossing_sine);
         if (all_enters_ && n == 0 && downwards) passed.through.energy = Energy{1.0};
         send_on(n, downwards, kept, passed);
     }
@@ -264,9 +265,9 @@ class Transport {
         return beam;
     }
 
-    static Beam bent(Beam part, const Beam& beam, double alpha, double eta,
-                     const FacetEffect& facets) {
-        const double sine = sine_of_part(facets.refracted_sine, part, beam, eta);
+    // `mean`: the sine of what all of the beam becomes.
+    static Beam bent(Beam part, const Beam& beam, double alpha, double eta, double mean) {
+        const double sine = sine_of_part(mean, part, beam, eta);
         const double cosine = std::sqrt(1.0 - sine * sine);
         const RefractedRoughness rough = refracted_roughness(part.cosine, cosine, alpha, eta);
         const double widening = width_of_alpha(rough.scale);
@@ -286,7 +287,7 @@ class Transport {
     // energies, so that facets are looked at from the mean of the part that passes.
     static Beam let_out(const Beam& part, const StackInterface& interface, double eta) {
         return bent(part, part, interface.lobe_alpha, eta,
-                    facet_effect(part.cosine, interface.alpha, eta));
+                    facet_effect(part.cosine, interface.alpha, eta).refracted_sine);
     }
 
     // What is reflected below the top interface has met an interface.
