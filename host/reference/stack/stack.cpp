@@ -107,7 +107,7 @@ StackSurface prepare_stack(const Material& material, const EnergyTables& tables,
     if (!base && lobes == StackLobes::forward) return surface;
     EnteredLight entered = entered_light(surface.layers);
     if (shares_lobe(surface))
-        for (StackLight& light : entered) light.merge_lobes();
+        for (StackLight& light : entered.known) light.merge_lobes();
     if (base)
         surface.diffuse = prepare_diffuse_base(surface.layers, entered, vector_of(base->albedo));
     if (lobes == StackLobes::symmetric) surface.symmetric = fit_symmetric(surface.layers, entered);

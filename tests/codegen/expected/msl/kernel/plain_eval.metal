@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // Metal Shading Language 2.2, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 0211ee04954c7db8c1c3ea0326c8d6d6e23af06a435cec6a2372b4671c7e891a.
+// Generated; source sha256 3f0cf034b98b42c4438f32628ecac23e05252fa68744d713c14bba5c3b235c19.
 
 #include <metal_stdlib>
 
