@@ -168,9 +168,9 @@ Figure refraction_operator_figure(const StudyRun& run) {
     Figure figure{
         "figure-7", "Figures 5 to 7: rough refraction",
         "The mean: 2018 takes the refracted direction (Eq. 12), stack the mean over four visible "
-        "normals, which has corners where one of them meets the critical angle. The width of one "
-        "refracted ray, beside the reflections that stand for it: of stack, 0.85 times the "
-        "roughness of Eq. 10, about stack's own mean; of 2018, Eq. 10 with the minus sign that "
+        "normals, each for those near it. The width of one refracted ray, beside the reflections "
+        "that stand for it: of stack, 0.85 times the roughness of Eq. 10 but less than "
+        "cos_theta^2, about stack's own mean; of 2018, Eq. 10 with the minus sign that "
         "its convention of signs means; as printed, with a plus, which is some five times too "
         "wide along the normal; equal peaks, the rule of thumb of equating the peaks of both "
         "lobes at normal incidence, after Kulla and Conty 2017, which is Eq. 10 there and too "
