@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -60,6 +61,21 @@ struct Arguments {
     bool json = false;
 };
 
+// Throws UsageError where something is chosen for stacks and none is exported.
+void require_stacks(const Arguments& arguments) {
+    const codegen::StackChoices usual;
+    const bool chosen =
+        arguments.stacks.max_layers != usual.max_layers || arguments.stacks.lobes != usual.lobes;
+    const bool exports_stacks = arguments.levels.empty() ||
+                                std::ranges::any_of(arguments.levels, [](const std::string& level) {
+                                    return level == "stack" || level == "stack_symmetric";
+                                });
+    if (chosen && !exports_stacks)
+        throw UsageError{
+            "--max-layers and --stack-lobes are for the levels stack and stack_symmetric, of which "
+            "none is exported"};
+}
+
 codegen::Request request_of(const Arguments& arguments) {
     codegen::Request request;
     request.source_root = share_file("shader_src");
@@ -73,6 +89,7 @@ codegen::Request request_of(const Arguments& arguments) {
                   codegen::kMaxLayers);
     require_range("--stack-lobes", arguments.stacks.lobes, codegen::kMinLobes, codegen::kMaxLobes);
     request.stacks = arguments.stacks;
+    require_stacks(arguments);
     return request;
 }
 

@@ -29,11 +29,15 @@ inline constexpr Tolerance kFloatTolerance{1e-4, 3e-7};
 // each time through some 35 roundings more: sqrt(50 + 10 * 35) u / sqrt(3) = 6.9e-7.
 inline constexpr Tolerance kStackTolerance{1e-4, 7e-7};
 
+// Lobes that light and viewer share have that light by way of cubics, and factors of either
+// direction: some 90 roundings more, sqrt(50 + 10 * 35 + 90) u / sqrt(3) = 7.6e-7.
+inline constexpr Tolerance kSymmetricStackTolerance{1e-4, 7.6e-7};
+
 // The tolerance of a model on the backend of that name: a language or a model that needs more is a
 // formula to mend, or a reason to be written here.
 constexpr Tolerance tolerance_of(std::string_view /*backend*/, Model model) {
-    const bool is_stack = model == Model::stack || model == Model::stack_symmetric;
-    return is_stack ? kStackTolerance : kFloatTolerance;
+    if (model == Model::stack_symmetric) return kSymmetricStackTolerance;
+    return model == Model::stack ? kStackTolerance : kFloatTolerance;
 }
 
 }  // namespace lacquer

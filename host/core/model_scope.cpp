@@ -71,8 +71,7 @@ std::optional<Refusal> refused_layer(const Layer& layer, const std::string& poin
 std::optional<Refusal> refused_layers(const std::vector<Layer>& layers, const Scope& scope) {
     if (layers.empty() && scope.lambertian_only)
         return Refusal{"/layers", "shades one layer over a Lambertian base, and there is none"};
-    if (layers.empty() && scope.whole_stacks)
-        return Refusal{"/layers", "shades layers over a base, and there is none"};
+    if (layers.empty() && scope.whole_stacks) return Refusal{"/layers", "needs at least one layer"};
     if (scope.whole_stacks && layers.size() > kMaxLayers)
         return Refusal{"/layers/8", "shades at most 8 layers"};
     if (scope.deeper_layers == Extra::refused && layers.size() > 1)

@@ -65,7 +65,7 @@ float lq_stack_density(const LqStackSurface surface, const LqStackView viewer, c
 }
 
 // A direction chosen by one lobe, which may have turned out to point to the other side of the
-// surface: then the lobe has none there.
+// surface: then `is_of_its_lobe` is false, and the sample has pdf 0.
 struct LqStackChoice {
     vec3 wi;
     bool is_of_its_lobe;

@@ -17,6 +17,12 @@
 #ifndef LQ_STACK_LOBES
 #define LQ_STACK_LOBES 3
 #endif
+#if LQ_MAX_LAYERS < 1
+#error "LQ_MAX_LAYERS is at least 1"
+#endif
+#if LQ_STACK_LOBES < 2 || LQ_STACK_LOBES > 3
+#error "LQ_STACK_LOBES is 2 or 3"
+#endif
 
 // What light meets on its way: interfaces, and media that scatter.
 #define LQ_MAX_LEVELS (LQ_MAX_LAYERS * 2)

@@ -22,8 +22,8 @@ LqCrossedLight lq_crossed_light(const vec3 depth, const LqStackNodes nodes) {
     const vec4 low = vec4(1.0) / max(nodes.low, vec4(LQ_LEAST_CROSSING_COSINE));
     const vec4 high = vec4(1.0) / max(nodes.high, vec4(LQ_LEAST_CROSSING_COSINE));
     return LqCrossedLight(lq_crossed_channel(depth.x, low, high),
-                      lq_crossed_channel(depth.y, low, high),
-                      lq_crossed_channel(depth.z, low, high));
+                          lq_crossed_channel(depth.y, low, high),
+                          lq_crossed_channel(depth.z, low, high));
 }
 
 LqNodeValues lq_node_product(const LqNodeValues a, const LqNodeValues b) {

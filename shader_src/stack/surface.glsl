@@ -13,7 +13,7 @@
 // conductor's, relative to that medium, and `base_conductor` what it reflects; `base_albedo` is a
 // Lambertian base's.
 // `top` and `top_eta` are the top interface's lobe, `top_critical`, `top_above` and `top_below` what
-// it lets in (lq_entering); `multiple` the part of its albedo that has met more than one facet,
+// it lets in (lq_stack_entering); `multiple` the part of its albedo that has met more than one facet,
 // `multiple_scale` 1 / (pi times its average).
 struct LqStackSurface {
     int first_row;

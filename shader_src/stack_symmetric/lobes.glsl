@@ -49,6 +49,12 @@ LqStackLobe lq_symmetric_lobe_below(const LqFittedLobe lobe, const float enterin
     return lq_stack_lobe_below(entering * light, light.w, lq_sine_from_cosine(sine), wo);
 }
 
+// What comes through a stack is no more than what has entered and was not reflected, which cubics
+// know apart from it: the lobe's light by so much.
+LqStackLobe lq_symmetric_lobe_within(const LqStackLobe lobe, const vec3 share) {
+    return LqStackLobe(lobe.about, lobe.energy * share, lobe.scale, lobe.alpha);
+}
+
 // For any number of lights; `wo` above the surface.
 LqStackSymmetricView lq_stack_symmetric_view(const LqStackSymmetricSurface surface,
                                              const vec3 wo) {
@@ -57,12 +63,19 @@ LqStackSymmetricView lq_stack_symmetric_view(const LqStackSymmetricSurface surfa
     const float leaving = surface.stack.base == LQ_STACK_BASE_NONE ? entering : 0.0;
     const vec4 sine_ratios = lq_cubic_value(surface.sine_ratios, cosine);
     const vec4 arriving = lq_stack_arriving(surface.stack, surface.diffuse.arriving, cosine);
+    const LqStackLobe interfaces = lq_symmetric_albedo_lobe(surface.interfaces, entering, wo);
+    const LqStackLobe base = lq_symmetric_base_lobe(surface.base, entering, wo);
+    const LqStackLobe straight =
+        lq_symmetric_lobe_below(surface.straight, leaving, sine_ratios.x, wo);
+    const LqStackLobe detoured =
+        lq_symmetric_lobe_below(surface.detoured, leaving, sine_ratios.y, wo);
+    const vec3 room = max(vec3(entering) - interfaces.energy - base.energy, vec3(0.0));
+    const vec3 share = min(
+        room / max(straight.energy + detoured.energy, vec3(LQ_TINY_LIGHT)), vec3(1.0));
     return LqStackSymmetricView(
-        LqStackView(wo, 1.0 - entering, lq_stack_top_multiple(surface.stack, cosine),
-                    lq_symmetric_albedo_lobe(surface.interfaces, entering, wo),
-                    lq_symmetric_base_lobe(surface.base, entering, wo),
-                    lq_symmetric_lobe_below(surface.straight, leaving, sine_ratios.x, wo),
-                    lq_symmetric_lobe_below(surface.detoured, leaving, sine_ratios.y, wo),
+        LqStackView(wo, 1.0 - entering, lq_stack_top_multiple(surface.stack, cosine), interfaces,
+                    base, lq_symmetric_lobe_within(straight, share),
+                    lq_symmetric_lobe_within(detoured, share),
                     vec3(arriving.x, arriving.y, arriving.z), surface.diffuse),
         lq_balance_value(surface.interfaces.balance, cosine) * sqrt(entering),
         lq_balance_value(surface.base.balance, cosine) * sqrt(entering));

@@ -74,6 +74,8 @@ TEST(BadUsage, ChoicesOfAnExportOutsideTheirRangeNameIt) {
     for (const char* option : {"--max-layers", "--stack-lobes"})
         expect_failure(run_lacquer({"export", option, "many", "-o", output}), kUsage,
                        {option, "many"});
+    expect_failure(run_lacquer({"export", "--level", "plain", "--max-layers", "2", "-o", output}),
+                   kUsage, {"--max-layers", "stack_symmetric"});
     EXPECT_THAT(folder.entries(), IsEmpty());
 }
 

@@ -173,6 +173,23 @@ TEST(StackSymmetric, FiveLayersInAWhiteFurnace) {
     }
 }
 
+// That clear plates make no light, whose reflected and transmitted lobes have cubics of their own.
+TEST(StackSymmetric, PlatesMakeNoLight) {
+    constexpr double kTables = 0.003;  // what they may be off where facets are rough
+    for (const double ior : {0.7, 1.05, 1.2, 1.5, 2.2})
+        for (const double alpha : {0.0, 0.1, 0.4}) {
+            Material plate;
+            plate.layers = {layer(ior, alpha, 1.0), layer(1.0, alpha, 1.0)};
+            plate.base = NoBase{};
+            const auto surface = prepare_stack(plate, tables(), StackLobes::symmetric);
+            for (const double cos_theta : {0.02, 0.1, 0.3, 0.5, 0.8, 1.0}) {
+                const reference::Albedo albedo = reference::albedo(surface, direction(cos_theta));
+                EXPECT_LE(albedo.direct.x + albedo.transmitted.x, 1.0 + kTables)
+                    << "ior " << ior << ", alpha " << alpha << ", cos " << cos_theta;
+            }
+        }
+}
+
 // That `sample` draws from `pdf`.
 void expect_samples_fit(const Material& material) {
     const auto surface = prepare_stack(material, tables(), StackLobes::symmetric);

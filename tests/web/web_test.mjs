@@ -52,7 +52,7 @@ const UNSHADEABLE = [
     [
         "gold",
         "stack",
-        "satin gold: /layers: the model 'stack' shades layers over a base, and there is none.",
+        "satin gold: /layers: the model 'stack' needs at least one layer.",
     ],
     [
         "pearl_over_gold",

@@ -23,8 +23,8 @@ constexpr double kMaxTableIndex = 5.0, kMaxTableKappa = 10.0;
 [[noreturn]] void refuse(const Material& material, const std::string& pointer,
                          const std::string& found) {
     throw Error{
-        fmt::format("material '{}': {}: {}; stack shades uniform microsurfaces and media over"
-                    " a conductor, a Lambertian base or none",
+        fmt::format("material '{}': {}: {}; stacks have uniform microsurfaces and media over a"
+                    " conductor, a Lambertian base or none",
                     material.name, pointer, found)};
 }
 
@@ -109,7 +109,7 @@ Energy StackConductor::albedo(double cosine, double mean) const {
 }
 
 StackLayers prepare_layers(const Material& material, const EnergyTables& tables) {
-    if (material.layers.empty()) refuse(material, "/layers", "no layer");
+    if (material.layers.empty()) refuse(material, "/layers", "there is none");
     StackLayers layers{{}, {}, {}, &tables, std::holds_alternative<NoBase>(material.base)};
     double above = material.exterior_ior;
     for (std::size_t n = 0; n < material.layers.size(); ++n) {
@@ -122,7 +122,7 @@ StackLayers prepare_layers(const Material& material, const EnergyTables& tables)
         above = layer.interface.ior;
     }
     if (std::holds_alternative<DiffuseFacetsBase>(material.base))
-        refuse(material, "/base", "of diffuse facets");
+        refuse(material, "/base", "it is made of diffuse facets");
     if (const auto* base = std::get_if<ConductorBase>(&material.base))
         layers.conductor =
             prepare_conductor(*base, uniform(material, base->roughness, "/base"), above, tables);

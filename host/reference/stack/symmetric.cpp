@@ -1,12 +1,15 @@
 #include "reference/stack/symmetric.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "reference/reflection.h"
 
 namespace lacquer::reference {
 
 namespace {
+
+constexpr double kTinyLight = 1e-30;  // keeps quotients of nothing finite
 
 double entering(const StackInterface& top, double cosine) {
     return top.transmittance(cosine, true);
@@ -36,6 +39,14 @@ StackLight SymmetricLight::at(double cosine) const {
     light.base.energy *= share;
     light.straight.scale(Energy{share});
     light.detoured.scale(Energy{share});
+    // What comes through is no more than what has entered and was not reflected, which cubics know
+    // apart from it.
+    const Energy room =
+        glm::max(Energy{share} - light.interfaces.energy - light.base.energy, Energy{0.0});
+    const Energy within =
+        glm::min(room / glm::max(light.arrived(), Energy{kTinyLight}), Energy{1.0});
+    light.straight.scale(within);
+    light.detoured.scale(within);
     return light;
 }
 

@@ -44,7 +44,7 @@ function refusedLayers(layers: Layer[], scope: Scope): Refusal | undefined {
         return { pointer: "/layers", why };
     }
     if (layers.length === 0 && scope.wholeStacks) {
-        return { pointer: "/layers", why: "shades layers over a base, and there is none" };
+        return { pointer: "/layers", why: "needs at least one layer" };
     }
     if (scope.wholeStacks && layers.length > MAX_LAYERS) {
         return { pointer: `/layers/${MAX_LAYERS}`, why: `shades at most ${MAX_LAYERS} layers` };
