@@ -17,6 +17,8 @@ namespace {
 constexpr double kMostAlbedo = 1.003;
 
 constexpr std::uint64_t kFewQueries = 1 << 16;
+// SwiftShader takes minutes for as many of stacks as others take seconds for.
+constexpr std::uint64_t kQueriesOnSwiftShader = 1 << 13;
 constexpr std::uint64_t kManyQueries = 10'000'000;
 constexpr std::uint64_t kQueriesPerMaterial = 16;
 constexpr std::uint64_t kMaterialsAtOnce = 4096;
@@ -217,7 +219,8 @@ class RandomQueries : public ::testing::TestWithParam<BackendAndModel> {};
 
 TEST_P(RandomQueries, GiveFiniteLightAndNoMoreThanThereWas) {
     const auto& [backend, model] = GetParam();
-    expect_sense_of_random_queries(backend, model, kFewQueries);
+    const bool is_slow = backend == "wgsl-dawn" && is_stack(model);
+    expect_sense_of_random_queries(backend, model, is_slow ? kQueriesOnSwiftShader : kFewQueries);
 }
 
 class TenMillionQueries : public ::testing::TestWithParam<BackendAndModel> {};
