@@ -6,10 +6,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <optional>
-#include <random>
 
 #include "reference/stack/stack.h"
 #include "support/quadrature.h"
+#include "support/random_stacks.h"
 #include "support/sampling_fit.h"
 
 namespace lacquer {
@@ -17,56 +17,19 @@ namespace {
 
 using reference::prepare_stack;
 using reference::StackLobes;
+using test::RandomStacks;
 
 const EnergyTables& tables() {
     static const EnergyTables all{std::filesystem::path{BAKED_TABLES}};
     return all;
 }
 
-class RandomStacks {
- public:
-    double uniform(double low, double high) {
-        return std::uniform_real_distribution<double>{low, high}(random_);
-    }
+// None of whose media scatter back more than forwards.
+RandomStacks random_stacks() {
+    return RandomStacks{{20180817, 0.0, false}};
+}
 
-    // One to four layers, every fourth interface smooth, a third of the media scattering.
-    Material next() {
-        Material material;
-        const int count = 1 + static_cast<int>(uniform(0.0, 4.0));
-        for (int n = 0; n < count; ++n) {
-            Layer layer{{uniform(0.8, 2.2), facets()}, AbsorbingMedium{rgb(0.3, 1.0)}};
-            if (uniform(0.0, 3.0) < 1.0)
-                layer.medium =
-                    ScatteringMedium{rgb(0.0, 0.5), rgb(0.0, 3.0), uniform(0.0, 0.95), 1.0};
-            material.layers.push_back(layer);
-        }
-        const double base = uniform(0.0, 3.0);
-        if (base < 1.0)
-            material.base = NoBase{};
-        else if (base < 2.0)
-            material.base = LambertianBase{rgb(0.0, 1.0)};
-        else
-            material.base = ConductorBase{rgb(0.1, 3.0), rgb(0.5, 8.0), facets()};
-        return material;
-    }
-
-    glm::dvec3 direction() {
-        const double cosine = uniform(0.02, 1.0), turn = uniform(0.0, 6.28);
-        const double sine = std::sqrt(1.0 - cosine * cosine);
-        return {sine * std::cos(turn), sine * std::sin(turn), cosine};
-    }
-
- private:
-    Microsurface facets() {
-        const double alpha = uniform(0.0, 4.0) < 1.0 ? 0.0 : uniform(0.002, 0.8);
-        return {Ndf::ggx, {alpha, alpha}};
-    }
-    Rgb rgb(double low, double high) {
-        return {uniform(low, high), uniform(low, high), uniform(low, high)};
-    }
-
-    std::mt19937_64 random_{20180817};
-};
+constexpr double kLeastCosine = 0.02;
 
 glm::dvec3 direction(double cos_theta) {
     return {std::sqrt(1.0 - cos_theta * cos_theta), 0.0, cos_theta};
@@ -80,14 +43,14 @@ Layer layer(double ior, double alpha, double tau) {
 // as well as beside it.
 TEST(StackSymmetric, IsReciprocal) {
     constexpr double kRounding = 1e-12;
-    RandomStacks random;
+    RandomStacks random = random_stacks();
     for (int n = 0; n < 200; ++n) {
         const auto surface = prepare_stack(random.next(), tables(), StackLobes::symmetric);
-        const glm::dvec3 wo = random.direction();
+        const glm::dvec3 wo = random.direction(kLeastCosine);
         for (int light = 0; light < 20; ++light) {
-            const glm::dvec3 u{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
-            const glm::dvec3 wi =
-                light % 2 == 0 ? random.direction() : reference::sample(surface, wo, u).wi;
+            const glm::dvec3 u = random.numbers();
+            const glm::dvec3 wi = light % 2 == 0 ? random.direction(kLeastCosine)
+                                                 : reference::sample(surface, wo, u).wi;
             if (wi.z <= 0.0) continue;
             const glm::dvec3 f = reference::eval(surface, wi, wo);
             const glm::dvec3 exchanged = reference::eval(surface, wo, wi);
@@ -106,9 +69,9 @@ TEST(StackSymmetric, OneCoatOverLambertianIsForward) {
     material.base = LambertianBase{{0.8, 0.5, 0.2}};
     const auto forward = prepare_stack(material, tables());
     const auto symmetric = prepare_stack(material, tables(), StackLobes::symmetric);
-    RandomStacks random;
+    RandomStacks random = random_stacks();
     for (int n = 0; n < 50; ++n) {
-        const glm::dvec3 wi = random.direction(), wo = random.direction();
+        const glm::dvec3 wi = random.direction(kLeastCosine), wo = random.direction(kLeastCosine);
         EXPECT_EQ(reference::eval(symmetric, wi, wo), reference::eval(forward, wi, wo));
         EXPECT_DOUBLE_EQ(reference::pdf(symmetric, wi, wo), reference::pdf(forward, wi, wo));
     }
@@ -132,11 +95,11 @@ glm::dvec3 integral_above(const reference::StackSurface& surface, const glm::dve
 TEST(StackSymmetric, LobesIntegrateToTheAlbedo) {
     constexpr double kMean = 0.0035, kMost = 0.065;
     constexpr int kStacks = 100;
-    RandomStacks random;
+    RandomStacks random = random_stacks();
     double mean = 0.0, most = 0.0;
     for (int n = 0; n < kStacks; ++n) {
         const auto surface = prepare_stack(random.next(), tables(), StackLobes::symmetric);
-        const glm::dvec3 wo = random.direction();
+        const glm::dvec3 wo = random.direction(kLeastCosine);
         const reference::Albedo albedo = reference::albedo(surface, wo);
         const glm::dvec3 error = integral_above(surface, wo) - albedo.direct - albedo.base;
         for (int c = 0; c < 3; ++c) {

@@ -9,68 +9,17 @@
 #include <cmath>
 #include <vector>
 
-#include "random_stacks.h"
-#include "reference/stack/stack.h"
+#include "stack_models.h"
 
 namespace lacquer::test {
 namespace {
 
 using reference::ConductorLobe;
-using reference::StackLobes;
-
-// As in stack_test.cpp and stack_symmetric_test.cpp, the larger of either.
-#ifdef LACQUER_TEST_FLOAT
-constexpr double kRelative = 3e-3;
-constexpr double kTypical = 1e-6;
-constexpr double kEnergy = 5e-6;
-constexpr double kDirection = 1e-3;
-#else
-constexpr double kRelative = 2e-7;
-constexpr double kTypical = 1e-10;
-constexpr double kEnergy = 1e-9;
-constexpr double kDirection = 2e-7;
-#endif
-
-struct Forward {
-    static constexpr StackLobes kLobes = StackLobes::forward;
-    static constexpr auto prepare = shader::lq_stack_prepare;
-    static constexpr auto eval = shader::lq_stack_eval;
-    static constexpr auto pdf = shader::lq_stack_pdf;
-    static constexpr auto sample = shader::lq_stack_sample;
-    static constexpr auto albedo = shader::lq_stack_albedo;
-};
-
-struct Symmetric {
-    static constexpr StackLobes kLobes = StackLobes::symmetric;
-    static constexpr auto prepare = shader::lq_stack_symmetric_prepare;
-    static constexpr auto eval = shader::lq_stack_symmetric_eval;
-    static constexpr auto pdf = shader::lq_stack_symmetric_pdf;
-    static constexpr auto sample = shader::lq_stack_symmetric_sample;
-    static constexpr auto albedo = shader::lq_stack_symmetric_albedo;
-};
 
 template <typename Model>
-class ShaderSharedLobe : public testing::Test {
- protected:
-    // The material's surface, whose rows stay until the next.
-    auto prepared(const Material& material) {
-        rows_ = to_rows(material);
-        shader::stack_rows = rows_.data();
-        return Model::prepare(to_stack(material));
-    }
+class ShaderSharedLobe : public RandomStackTest<Model> {};
 
-    glm::dvec3 numbers() {
-        return {random_.uniform(0, 1), random_.uniform(0, 1), random_.uniform(0, 1)};
-    }
-
-    RandomStacks random_;
-
- private:
-    std::vector<shader::vec4> rows_;
-};
-
-using Models = testing::Types<Forward, Symmetric>;
-TYPED_TEST_SUITE(ShaderSharedLobe, Models);
+TYPED_TEST_SUITE(ShaderSharedLobe, StackModels);
 
 TYPED_TEST(ShaderSharedLobe, AgreesWithTheReference) {
     std::vector<double> errors;
@@ -81,7 +30,7 @@ TYPED_TEST(ShaderSharedLobe, AgreesWithTheReference) {
         const auto surface = this->prepared(material);
         const glm::dvec3 wo = this->random_.direction(0.02);
         for (int light = 0; light < 8; ++light) {
-            const glm::dvec3 u = this->numbers();
+            const glm::dvec3 u = this->random_.numbers();
             const reference::Sample expected = reference::sample(truth, wo, u);
             const shader::LqSample chosen =
                 TypeParam::sample(surface, shader::vec3{wo}, shader::vec3{u});
@@ -98,7 +47,7 @@ TYPED_TEST(ShaderSharedLobe, AgreesWithTheReference) {
         }
     }
     std::ranges::sort(errors);
-    EXPECT_LE(errors[errors.size() / 2], kTypical);
+    EXPECT_LE(errors[errors.size() / 2], TypeParam::kTypical);
     EXPECT_LE(errors.back(), kRelative);
     this->RecordProperty("median", std::to_string(errors[errors.size() / 2]));
     this->RecordProperty("largest", std::to_string(errors.back()));
@@ -118,13 +67,14 @@ TYPED_TEST(ShaderSharedLobe, HasTheLightOfBoth) {
         conductors_below_interfaces += conducts && material.layers.size() > 1 ? 1 : 0;
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(albedo.direct[c] + albedo.base[c], expected.direct[c] + expected.base[c],
-                        kEnergy)
+                        TypeParam::kEnergy)
                 << "stack " << n;
-            EXPECT_NEAR(albedo.transmitted[c], expected.transmitted[c], kEnergy) << "stack " << n;
+            EXPECT_NEAR(albedo.transmitted[c], expected.transmitted[c], TypeParam::kEnergy)
+                << "stack " << n;
             if (conducts)
-                EXPECT_GE(albedo.base[c], expected.base[c] - kEnergy) << "stack " << n;
+                EXPECT_GE(albedo.base[c], expected.base[c] - TypeParam::kEnergy) << "stack " << n;
             else
-                EXPECT_NEAR(albedo.base[c], expected.base[c], kEnergy) << "stack " << n;
+                EXPECT_NEAR(albedo.base[c], expected.base[c], TypeParam::kEnergy) << "stack " << n;
         }
     }
     EXPECT_GT(conductors_below_interfaces, 10);
@@ -142,7 +92,7 @@ TYPED_TEST(ShaderSharedLobe, IsThatOfOneClassWhereTheOtherHasNoLight) {
         const auto apart = reference::prepare_stack(material, tables(), TypeParam::kLobes);
         const auto surface = this->prepared(material);
         const glm::dvec3 wo = this->random_.direction(0.02);
-        const glm::dvec3 wi = reference::sample(apart, wo, this->numbers()).wi;
+        const glm::dvec3 wi = reference::sample(apart, wo, this->random_.numbers()).wi;
         if (std::abs(wi.z) < 0.01) continue;
         const glm::dvec3 f = reference::eval(apart, wi, wo);
         const shader::vec3 value = TypeParam::eval(surface, shader::vec3{wi}, shader::vec3{wo});
@@ -184,14 +134,15 @@ TYPED_TEST(ShaderSharedLobe, WeighsAsSampled) {
         const shader::vec3 wo{this->random_.direction(0.05)};
         for (int number = 0; number < 8; ++number) {
             const shader::LqSample chosen =
-                TypeParam::sample(surface, wo, shader::vec3{this->numbers()});
+                TypeParam::sample(surface, wo, shader::vec3{this->random_.numbers()});
             if (chosen.pdf <= 0.0) continue;
             const shader::vec3 f = TypeParam::eval(surface, chosen.wi, wo);
             for (int c = 0; c < 3; ++c)
                 EXPECT_LE(
                     relative_error(chosen.weight[c] * chosen.pdf, f[c] * std::abs(chosen.wi.z)),
-                    kTypical);
-            EXPECT_LE(relative_error(chosen.pdf, TypeParam::pdf(surface, chosen.wi, wo)), kTypical);
+                    TypeParam::kTypical);
+            EXPECT_LE(relative_error(chosen.pdf, TypeParam::pdf(surface, chosen.wi, wo)),
+                      TypeParam::kTypical);
         }
     }
 }
