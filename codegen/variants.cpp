@@ -80,8 +80,8 @@ void require_valid(const StackChoices& stacks) {
         if (value < min || value > max)
             throw UsageError{fmt::format("{}: {} is not in [{}, {}]", name, value, min, max)};
     };
-    require("max-layers", stacks.max_layers, kMinLayers, kMaxLayers);
-    require("stack-lobes", stacks.lobes, kMinLobes, kMaxLobes);
+    require("--max-layers", stacks.max_layers, kMinLayers, kMaxLayers);
+    require("--stack-lobes", stacks.lobes, kMinLobes, kMaxLobes);
 }
 
 std::vector<KernelSource> all_kernels(const SourceTree& tree) {

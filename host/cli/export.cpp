@@ -85,9 +85,6 @@ codegen::Request request_of(const Arguments& arguments) {
     for (const std::string& name : arguments.forms)
         request.forms.push_back(codegen::form_from_name(name));
     request.levels = arguments.levels;
-    require_range("--max-layers", arguments.stacks.max_layers, codegen::kMinLayers,
-                  codegen::kMaxLayers);
-    require_range("--stack-lobes", arguments.stacks.lobes, codegen::kMinLobes, codegen::kMaxLobes);
     request.stacks = arguments.stacks;
     require_stacks(arguments);
     return request;

@@ -42,7 +42,7 @@ Scope scope_of(Model model) {
 
 struct Refusal {
     std::string pointer;
-    std::string_view why;
+    std::string why;
 };
 
 bool scatters(const Medium& medium) {
@@ -57,12 +57,10 @@ bool is_blend(const Roughness& roughness) {
 
 constexpr std::string_view kNoBlend = "cannot shade a blended microsurface";
 
-// The most layers that shaders are compiled for: LQ_MAX_LAYERS.
-constexpr std::size_t kMaxLayers = 8;
-
 std::optional<Refusal> refused_layer(const Layer& layer, const std::string& pointer,
                                      const Scope& scope) {
-    if (is_blend(layer.interface.roughness)) return Refusal{pointer + "/interface/blend", kNoBlend};
+    if (is_blend(layer.interface.roughness))
+        return Refusal{pointer + "/interface/blend", std::string{kNoBlend}};
     if (scope.scattering == Extra::refused && scatters(layer.medium))
         return Refusal{pointer + "/medium/sigma_s", "cannot shade a medium that scatters"};
     return std::nullopt;
@@ -73,7 +71,8 @@ std::optional<Refusal> refused_layers(const std::vector<Layer>& layers, const Sc
         return Refusal{"/layers", "shades one layer over a Lambertian base, and there is none"};
     if (layers.empty() && scope.whole_stacks) return Refusal{"/layers", "needs at least one layer"};
     if (scope.whole_stacks && layers.size() > kMaxLayers)
-        return Refusal{"/layers/8", "shades at most 8 layers"};
+        return Refusal{fmt::format("/layers/{}", kMaxLayers),
+                       fmt::format("shades at most {} layers", kMaxLayers)};
     if (scope.deeper_layers == Extra::refused && layers.size() > 1)
         return Refusal{"/layers/1", "shades at most one layer"};
     const std::size_t shaded = scope.whole_stacks ? layers.size() : 1;
@@ -90,10 +89,10 @@ std::optional<Refusal> refused_base(const Base& base, const Scope& scope) {
     if (diffuse != nullptr && scope.whole_stacks)
         return Refusal{"/base/diffuse_facets", "cannot shade diffuse facets"};
     if (diffuse != nullptr && is_blend(diffuse->roughness))
-        return Refusal{"/base/diffuse_facets/blend", kNoBlend};
+        return Refusal{"/base/diffuse_facets/blend", std::string{kNoBlend}};
     const auto* conductor = std::get_if<ConductorBase>(&base);
     if (conductor != nullptr && is_blend(conductor->roughness))
-        return Refusal{"/base/conductor/blend", kNoBlend};
+        return Refusal{"/base/conductor/blend", std::string{kNoBlend}};
     return std::nullopt;
 }
 

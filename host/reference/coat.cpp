@@ -14,8 +14,11 @@ namespace {
 
 using std::numbers::pi;
 
-// Less than this average is the noise of the tables, whose quotients would gain energy.
-constexpr double kLeastMultipleAverage = 1e-3;
+// Of an average of m: 1 / (pi average), and in proportion to it below the least.
+double multiple_scale(double average) {
+    const double bounded = std::max(average, kLeastMultipleAverage);
+    return average / (pi * bounded * bounded);
+}
 
 double multiple(const Coat& coat, const glm::dvec3& w) {
     return std::clamp(coat.multiple.at(w.z), 0.0, 1.0);
@@ -31,13 +34,13 @@ Coat prepare_coat(const Microsurface& microsurface, double eta, const EnergyTabl
             alpha,
             tables.t_down_profile(alpha, eta, 1.0),
             tables.fgd_multiple_profile(alpha, eta),
-            std::max(tables.fgd_multiple_average(alpha, eta), kLeastMultipleAverage)};
+            multiple_scale(tables.fgd_multiple_average(alpha, eta))};
 }
 
 double coat_lobe(const Coat& coat, const glm::dvec3& wi, const glm::dvec3& wo) {
     const double single =
         fresnel(cos_theta_halfway(wi, wo), coat.eta) * reflection_lobe(coat.facets, wi, wo);
-    return single + multiple(coat, wi) * multiple(coat, wo) / (pi * coat.multiple_average);
+    return single + multiple(coat, wi) * multiple(coat, wo) * coat.multiple_scale;
 }
 
 double single_share(const Coat& coat, const glm::dvec3& wo) {

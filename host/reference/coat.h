@@ -17,13 +17,17 @@
 
 namespace lacquer::reference {
 
+// Of m, averaged over cosine-weighted directions. Below it the ripple of the tables' polynomials
+// would be seen as rings, and light that met several facets fades out.
+inline constexpr double kLeastMultipleAverage = 1e-3;
+
 struct Coat {
     Facets facets;                 // as they are shaded: at least kMinAlpha rough
     double eta;                    // index below over index of the exterior
     double alpha;                  // GGX roughness of the energies (equivalent_alpha.h)
     TransmissionProfile entering;  // what the coat does not reflect
     DirectionPolynomial multiple;  // m where it is in [0, 1]
-    double multiple_average;       // m averaged over cosine-weighted directions
+    double multiple_scale;         // of m(wi) m(wo), an f whose albedo is m
 };
 
 // Throws Error where eta is outside the tables' range.

@@ -26,9 +26,6 @@ struct StackParameters {
     Rgb eta{}, kappa{};  // relative to the exterior
 };
 
-// The layers that shaders are compiled for: LQ_MAX_LAYERS.
-inline constexpr std::size_t kMaxStackLayers = 8;
-
 // Throws Error naming the material and the JSON pointer of what `model` cannot shade.
 StackParameters stack_parameters(const Material& material, Model model);
 

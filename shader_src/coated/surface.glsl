@@ -11,9 +11,6 @@
 const int LQ_BASE_LOBE_EXACT = 0;  // as it is; reciprocal
 const int LQ_BASE_LOBE_GGX = 1;    // a GGX lobe about the normal, for prefiltered lighting
 
-// Less than this average of light reflected more than once is the noise of the tables.
-const float LQ_LEAST_MULTIPLE_AVERAGE = 0.001;
-
 // `eta` = ior of the coat over that of the exterior, in [1/3, 3]; `tau` in [0, 1], transmittance of
 // the coat along its normal; `albedo` of the base in [0, 1]; `base_lobe` one of LQ_BASE_LOBE_*: 0,
 // light leaves as it does, or 1, as a GGX lobe about the normal, for prefiltered lighting.
@@ -26,8 +23,8 @@ struct LqCoatedMaterial {
 };
 
 // `returned` is what base and coat make of light that has entered: rho T10_bar / (1 - rho R10_bar);
-// `spread` is rho / (pi eta^2 (1 - rho R10_bar)); `multiple_scale` is 1 / (pi m_average), m the
-// light that the coat reflects after more than one facet. `lobe_alpha` is the GGX base lobe's,
+// `spread` is rho / (pi eta^2 (1 - rho R10_bar)); `multiple_scale` is of m(wi) m(wo), m
+// the light that the coat reflects after more than one facet. `lobe_alpha` is the GGX base lobe's,
 // `lobe_energy` what its single scattering keeps of light along the normal.
 struct LqCoatedSurface {
     LqFacets coat;
@@ -74,8 +71,7 @@ LqCoatedSurface lq_coated_prepare(const LqCoatedMaterial material) {
     surface.base_lobe = material.base_lobe;
     surface.energies =
         lq_interface_prepare(lq_equivalent_energy_alpha(material.coat, eta), eta, tau);
-    surface.multiple_scale =
-        LQ_INVERSE_PI / max(surface.energies.multiple_average, LQ_LEAST_MULTIPLE_AVERAGE);
+    surface.multiple_scale = lq_multiple_scale(surface.energies.multiple_average);
     // The base reflects again what the coat sends back: a geometric series.
     const vec3 reflected = albedo / (vec3(1.0) - albedo * surface.energies.r_up);
     surface.returned = reflected * surface.energies.t_up;

@@ -13,6 +13,10 @@
 
 const int LQ_ABSORPTIONS = 5;
 
+// Of light reflected after more than one facet, averaged over cosine-weighted directions. Below it
+// the ripple of its polynomial would be seen as rings, and the light fades out.
+const float LQ_LEAST_MULTIPLE_AVERAGE = 0.001;
+
 // Where no light gets through there is no variance; this keeps the quotient finite.
 const float LQ_MIN_ENERGY = 1.0e-12;
 
@@ -166,6 +170,13 @@ vec4 lq_interface_t_down(const LqInterface energies, const float cos_theta) {
 // Light reflected after more than one facet, which a single-scattering lobe lacks.
 float lq_interface_fgd_multiple(const LqInterface energies, const float cos_theta) {
     return clamp(lq_direction_value(energies.multiple, energies.critical, cos_theta), 0.0, 1.0);
+}
+
+// What makes m(wi) m(wo) an f whose albedo is m, of this average of m: 1 / (pi average), and in
+// proportion to it below the least.
+float lq_multiple_scale(const float average) {
+    const float bounded = max(average, LQ_LEAST_MULTIPLE_AVERAGE);
+    return LQ_INVERSE_PI * average / (bounded * bounded);
 }
 
 // How far the light that leaves spreads, per colour channel: the mean of its sin^2_theta, less

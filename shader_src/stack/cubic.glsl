@@ -6,6 +6,13 @@
 const vec4 LQ_CUBIC_NODES =
     vec4(0.0380602337443566, 0.308658283817455, 0.691341716182545, 0.961939766255643);
 
+// The cosine at one of the nodes, 0 to 3 in rising order, of cubics from `least` on.
+float lq_cubic_node(const int n, const float least) {
+    const float narrow = n == 0 ? LQ_CUBIC_NODES.x : LQ_CUBIC_NODES.y;
+    const float wide = n == 2 ? LQ_CUBIC_NODES.z : LQ_CUBIC_NODES.w;
+    return mix(least, 1.0, n < 2 ? narrow : wide);
+}
+
 // Coefficients of powers of x, a colour channel in each component; x in [0, 1] is how far cos_theta
 // has come on the way from `least`, in [0, 1), to 1.
 struct LqCubic {

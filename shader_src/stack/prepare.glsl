@@ -6,9 +6,6 @@
 #include "layers.glsl"
 #include "surface.glsl"
 
-// Less than this average of light reflected more than once is the noise of the tables.
-const float LQ_STACK_LEAST_MULTIPLE = 0.001;
-
 // The part of the top interface's albedo that has met more than one facet.
 LqDirectionPolynomial lq_stack_multiple(const float alpha, const float eta) {
     const LqCell cell =
@@ -42,7 +39,7 @@ LqStackSurface lq_stack_prepare(const LqStackMaterial material) {
     const float average =
         2.0 * lq_direction_integral(surface.multiple,
                                     lq_energy_weights(surface.top_critical));
-    surface.multiple_scale = LQ_INVERSE_PI / max(average, LQ_STACK_LEAST_MULTIPLE);
+    surface.multiple_scale = lq_multiple_scale(max(average, 0.0));
 
     surface.base = material.base;
     const int last = surface.layer_count - 1;

@@ -14,7 +14,7 @@
 // Lambertian base's.
 // `top` and `top_eta` are the top interface's lobe, `top_critical`, `top_above` and `top_below` what
 // it lets in (lq_stack_entering); `multiple` the part of its albedo that has met more than one facet,
-// `multiple_scale` 1 / (pi times its average).
+// `multiple_scale` what makes its product of two directions an f.
 struct LqStackSurface {
     int first_row;
     int layer_count;

@@ -27,12 +27,9 @@ LqStackView lq_stack_view(const LqStackSurface surface, const vec3 wo) {
     vec4 d = vec4(0.0);
     vec4 returning = vec4(0.0);
     for (int run = is_lambertian ? 0 : 5; run < 6; run++) {
-        const float narrow = run == 0 ? LQ_CUBIC_NODES.x : LQ_CUBIC_NODES.y;
-        const float wide = run == 2 ? LQ_CUBIC_NODES.z : LQ_CUBIC_NODES.w;
-        const float entered = mix(least, 1.0, run < 2 ? narrow : wide);
         const int diffuse = run == 4 ? LQ_LIGHT_FROM_BELOW : LQ_LIGHT_ENTERED;
         light = lq_stack_light(surface, run == 5 ? LQ_LIGHT_FROM_ABOVE : diffuse,
-                               run == 5 ? cosine : entered);
+                               run == 5 ? cosine : lq_cubic_node(run, least));
         if (run == 4) {
             returning = light.returning;
         } else if (run < 4) {

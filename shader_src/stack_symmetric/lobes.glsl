@@ -21,8 +21,8 @@
 // has from wo: b sqrt(T).
 struct LqStackSymmetricView {
     LqStackView lobes;
-    float interfaces_share;
-    float base_share;
+    vec3 interfaces_share;
+    vec3 base_share;
 };
 
 // Of light at `cosine` that the top interface lets in by the share `entering`.
@@ -95,14 +95,14 @@ vec3 lq_stack_symmetric_value(const LqStackSymmetricSurface surface,
     }
     const float cosine = min(wi.z, 1.0);
     const float entering = sqrt(lq_stack_entering(surface.stack, cosine));
-    const float interfaces_share = lq_balance_value(surface.interfaces.balance, cosine) * entering;
+    const vec3 interfaces_share = lq_balance_value(surface.interfaces.balance, cosine) * entering;
     const vec3 f = lq_stack_outer_value(surface.stack, viewer.lobes, wi) +
                    interfaces_share * viewer.interfaces_share *
                        lq_symmetric_lobe_value(surface.interfaces, wi, viewer.lobes.wo);
     if (LQ_STACK_LOBES == 2) {
         return f;
     }
-    const float base_share = lq_balance_value(surface.base.balance, cosine) * entering;
+    const vec3 base_share = lq_balance_value(surface.base.balance, cosine) * entering;
     return f + base_share * viewer.base_share *
                    lq_symmetric_lobe_value(surface.base, wi, viewer.lobes.wo);
 }

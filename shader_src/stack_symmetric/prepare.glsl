@@ -70,9 +70,7 @@ LqStackSymmetricSurface lq_stack_symmetric_prepare(const LqStackMaterial materia
     vec4 returning = vec4(0.0);
     const int runs = surface.stack.base == LQ_STACK_BASE_LAMBERTIAN ? 5 : 4;
     for (int run = 0; run < runs; run++) {
-        const float wide = run == 0 ? LQ_CUBIC_NODES.w : LQ_CUBIC_NODES.z;
-        const float narrow = run == 2 ? LQ_CUBIC_NODES.y : LQ_CUBIC_NODES.x;
-        const float cosine = mix(least, 1.0, run < 2 ? wide : narrow);
+        const float cosine = lq_cubic_node(3 - run, least);
         const LqStackLight light = lq_stack_light(
             surface.stack, run == 4 ? LQ_LIGHT_FROM_BELOW : LQ_LIGHT_ENTERED, cosine);
         if (run == 4) {

@@ -174,7 +174,8 @@ struct Case {
             surface.base.spread[c] * ((t_i + t_o) * errors.t_down + t_i * t_o * series_error(c));
         const double m_i = tables().fgd_multiple(wi.z, alpha, eta);
         const double m_o = tables().fgd_multiple(wo.z, alpha, eta);
-        const double average = surface.coat.multiple_average;
+        const double average =
+            std::max(tables().fgd_multiple_average(alpha, eta), reference::kLeastMultipleAverage);
         const double again =
             (m_i + m_o + m_i * m_o / average) * errors.multiple / (std::numbers::pi * average);
         return base + again;

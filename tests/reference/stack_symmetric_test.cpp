@@ -89,11 +89,10 @@ glm::dvec3 integral_above(const reference::StackSurface& surface, const glm::dve
 }
 
 // That the lobes integrate to the albedo that the model says, over all kinds of stacks (measured:
-// 0.0028 off in the mean; 0.057 at most, in one colour near grazing where media dim colours very
-// differently: one balance serves all; the forward model's 0.0005 and 0.011, whose error is the top
-// interface's).
+// 0.0021 off in the mean and 0.031 at most; the forward model's 0.0005 and 0.011, whose error is the
+// top interface's).
 TEST(StackSymmetric, LobesIntegrateToTheAlbedo) {
-    constexpr double kMean = 0.0035, kMost = 0.065;
+    constexpr double kMean = 0.0027, kMost = 0.04;
     constexpr int kStacks = 100;
     RandomStacks random = random_stacks();
     double mean = 0.0, most = 0.0;

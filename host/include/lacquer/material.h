@@ -121,7 +121,7 @@ struct Material {
     friend bool operator==(const Material&, const Material&) = default;
 };
 
-inline constexpr std::size_t kMaxLayers = 8;
+inline constexpr std::size_t kMaxLayers = 8;  // shaders' LQ_MAX_LAYERS where none is chosen
 
 // Reads and validates a material file. Throws lacquer::Error naming file, line, JSON pointer, value
 // and allowed range; for an unknown key, the keys allowed there.

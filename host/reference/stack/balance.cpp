@@ -19,36 +19,34 @@ constexpr int kSteps = 8;  // which find the factor to a percent
 constexpr double kLeast = 0.2, kMost = 5.0;
 constexpr double kTiny = 1e-9;
 
-using Values = std::array<double, Balance::kNodes.size()>;
+using Values = std::array<glm::dvec3, Balance::kNodes.size()>;
 
-// What the values at the nodes count for at `cosine`.
-Values weights_at(double cosine) {
-    Values weights{};
-    for (std::size_t n = 0; n < weights.size(); ++n) {
-        Balance one{{}};
-        one.known[n] = 1.0;
-        weights[n] = one.at(cosine);
+// What the value at each node counts for at `cosine`.
+std::array<double, Balance::kNodes.size()> node_weights(double cosine) {
+    const auto& nodes = Balance::kNodes;
+    std::array<double, Balance::kNodes.size()> weights{1.0};
+    for (std::size_t n = 1; n < nodes.size(); ++n) {
+        const double way =
+            std::clamp((cosine - nodes[n - 1]) / (nodes[n] - nodes[n - 1]), 0.0, 1.0);
+        weights[n - 1] *= 1.0 - way;
+        weights[n] = way;
     }
     return weights;
 }
 
-double mean_energy(const LobeLight& light) {
-    return mean(glm::dvec3{light.energy});
-}
-
 // The light that the lobe should have at a cosine.
-double wanted(const StackInterface& top, const FittedLobe& lobe, double cosine) {
-    return top.transmittance(cosine, true) * mean_energy(lobe.at(cosine));
+glm::dvec3 wanted(const StackInterface& top, const FittedLobe& lobe, double cosine) {
+    return top.transmittance(cosine, true) * glm::dvec3{lobe.at(cosine).energy};
 }
 
 // Of light at wo, the part that the lobe without b sends to wi, over the density of wi as a mirror
 // image by normals visible from wo.
-double weight_of(const StackInterface& top, const FittedLobe& lobe, const glm::dvec3& wi,
-                 const glm::dvec3& wo) {
+glm::dvec3 weight_of(const StackInterface& top, const FittedLobe& lobe, const glm::dvec3& wi,
+                     const glm::dvec3& wo) {
     const LobeLight light = lobe.at(std::min(cos_theta_halfway(wi, wo), 1.0));
-    return entering_both_ways(top, wi, wo) * mean_energy(light) * wi.z *
-           reflection_lobe(facets_of(light), wi, wo) /
-           reflection_pdf(facets_of(lobe.at(wo.z)), wi, wo);
+    return glm::dvec3{light.energy} *
+           (entering_both_ways(top, wi, wo) * wi.z * reflection_lobe(facets_of(light), wi, wo) /
+            reflection_pdf(facets_of(lobe.at(wo.z)), wi, wo));
 }
 
 // The albedo at `cosine`, over b there, as a sum over the nodes of b.
@@ -61,8 +59,8 @@ Values albedo_weights(const StackInterface& top, const FittedLobe& lobe, double 
             const glm::dvec2 u{0.5 * (azimuth + 0.5) / kAzimuths, (height + 0.5) / kHeights};
             const glm::dvec3 wi = reflection_sample(facets, wo, u);
             if (!is_above(wi)) continue;
-            const double weight = weight_of(top, lobe, wi, wo) / (kAzimuths * kHeights);
-            const Values nodes = weights_at(std::min(wi.z, 1.0));
+            const glm::dvec3 weight = weight_of(top, lobe, wi, wo) / double{kAzimuths * kHeights};
+            const auto nodes = node_weights(std::min(wi.z, 1.0));
             for (std::size_t n = 0; n < all.size(); ++n) all[n] += weight * nodes[n];
         }
     return all;
@@ -75,11 +73,10 @@ double entering_both_ways(const StackInterface& top, const glm::dvec3& wi, const
                      top.transmittance(std::min(wo.z, 1.0), true));
 }
 
-double Balance::at(double cosine) const {
-    double value = known.front();
-    for (std::size_t n = 1; n < known.size(); ++n)
-        value += (known[n] - known[n - 1]) *
-                 std::clamp((cosine - kNodes[n - 1]) / (kNodes[n] - kNodes[n - 1]), 0.0, 1.0);
+glm::dvec3 Balance::at(double cosine) const {
+    const auto weights = node_weights(cosine);
+    glm::dvec3 value{0.0};
+    for (std::size_t n = 0; n < known.size(); ++n) value += weights[n] * known[n];
     return value;
 }
 
@@ -93,12 +90,14 @@ Balance fit_balance(const StackInterface& top, const FittedLobe& lobe) {
     for (int step = 0; step < kSteps; ++step) {
         const Values last = balance.known;
         for (std::size_t n = 0; n < last.size(); ++n) {
-            double albedo = 0.0;
+            glm::dvec3 albedo{0.0};
             for (std::size_t k = 0; k < last.size(); ++k) albedo += weights[n][k] * last[k];
-            const double light = wanted(top, lobe, Balance::kNodes[n]);
-            balance.known[n] = albedo > kTiny
-                                   ? std::clamp(std::sqrt(last[n] * light / albedo), kLeast, kMost)
-                                   : 1.0;
+            const glm::dvec3 light = wanted(top, lobe, Balance::kNodes[n]);
+            for (int c = 0; c < 3; ++c)
+                balance.known[n][c] =
+                    albedo[c] > kTiny
+                        ? std::clamp(std::sqrt(last[n][c] * light[c] / albedo[c]), kLeast, kMost)
+                        : 1.0;
         }
     }
     return balance;

@@ -14,17 +14,23 @@ namespace lacquer::reference {
 // Linear between its nodes and constant beyond; finer at grazing angles, where it bends.
 struct Balance {
     static constexpr std::array<double, 5> kNodes{0.05, 0.15, 0.35, 0.65, 1.0};
-    std::array<double, kNodes.size()> known{1.0, 1.0, 1.0, 1.0, 1.0};
+    std::array<glm::dvec3, kNodes.size()> known = ones();
 
     // At `cosine` in [0, 1].
-    double at(double cosine) const;
+    glm::dvec3 at(double cosine) const;
+
+ private:
+    static constexpr std::array<glm::dvec3, kNodes.size()> ones() {
+        std::array<glm::dvec3, kNodes.size()> all{};
+        all.fill(glm::dvec3{1.0});
+        return all;
+    }
 };
 
 // What the top interface lets in on the way to the lobe and back: the geometric mean of both
 // directions, above the surface.
 double entering_both_ways(const StackInterface& top, const glm::dvec3& wi, const glm::dvec3& wo);
 
-// By light of the mean of the three colours.
 Balance fit_balance(const StackInterface& top, const FittedLobe& lobe);
 
 }  // namespace lacquer::reference

@@ -72,9 +72,9 @@ glm::dvec3 symmetric_value(const SymmetricLight& light, const glm::dvec3& wi,
     for (const SymmetricLobe* lobe : {&light.interfaces, &light.base}) {
         if (lobe->light.is_dark()) continue;
         const LobeLight here = lobe->light.at(cosine);
-        const double scale =
+        const glm::dvec3 scale =
             lobe->balance.at(std::min(wi.z, 1.0)) * lobe->balance.at(std::min(wo.z, 1.0));
-        f += glm::dvec3{here.energy} * (scale * reflection_lobe(facets_of(here), wi, wo));
+        f += glm::dvec3{here.energy} * scale * reflection_lobe(facets_of(here), wi, wo);
     }
     return entering_both_ways(light.top, wi, wo) * f;
 }

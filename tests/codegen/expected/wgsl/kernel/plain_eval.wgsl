@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // WGSL, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 58d7ffe71687718eb42d1fe3d35728283519ba87a3c31afe9a35f859c6e7a0b0.
+// Generated; source sha256 0b2033221c9ac65fe70fbbc20862bd2e69e6a37270ae4e43e0f942d480735f7d.
 
 const LQ_PI: f32 = 3.1415927;
 const LQ_INVERSE_PI: f32 = 0.31830987;
