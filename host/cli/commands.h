@@ -15,6 +15,7 @@ void add_compare_command(CLI::App& app);
 void add_doctor_command(CLI::App& app);
 void add_eval_command(CLI::App& app);
 void add_export_command(CLI::App& app);
+void add_heightfield_command(CLI::App& app);
 void add_interface_command(CLI::App& app);
 void add_slice_command(CLI::App& app);
 void add_sphere_command(CLI::App& app);

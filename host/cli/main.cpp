@@ -21,6 +21,7 @@ void add_commands(CLI::App& app) {
     lacquer::add_eval_command(app);
     lacquer::add_albedo_command(app);
     lacquer::add_interface_command(app);
+    lacquer::add_heightfield_command(app);
     lacquer::add_slice_command(app);
     lacquer::add_sphere_command(app);
     lacquer::add_export_command(app);

@@ -31,6 +31,7 @@ struct PictureTable {
     std::string title;
     std::vector<std::string> columns;
     std::vector<PictureRow> rows;
+    int column_width = 178;  // of the page's pixels, at most
 };
 
 struct Plots {

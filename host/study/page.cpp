@@ -80,15 +80,13 @@ std::string method_html(const StudyResult& result) {
     const ReportEnvironment environment = current_environment();
     return fmt::format(
         R"(<section class="method"><h2>How this was made</h2>
-<p>The simulation sends light on random walks through the facets, media and base, every order of
-scattering, and knows no model. The models are those of the reference in double precision. Where an
-error is next to its noise, the simulation cannot tell it from 0. Pictures show radiance through
-1 - exp(-x), encoded for a display; their numbers are beside this page as EXR.</p>
+<p>{} Pictures show radiance through 1 - exp(-x), encoded for a display; their numbers are beside
+this page as EXR.</p>
 <dl class="environment"><dt>suite</dt><dd>{}</dd><dt>walks</dt><dd>{}</dd><dt>seed</dt><dd>{}</dd>
 <dt>processor</dt><dd>{}</dd><dt>system</dt><dd>{}</dd><dt>date</dt><dd>{}</dd></dl></section>
 )",
-        escaped(result.suite->name), result.samples, result.seed, escaped(environment.processor),
-        escaped(environment.system), escaped(environment.date));
+        escaped(result.suite->method), escaped(result.suite->name), result.samples, result.seed,
+        escaped(environment.processor), escaped(environment.system), escaped(environment.date));
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ std::string html_of(const PictureTable& table) {
     }
     const double limit = limit_of(table);
     return fmt::format(
-        R"(<div class="panel">{}<div class="pictures" style="--columns:{}">{}</div>{}</div>)",
-        title_html(table.title), table.columns.size(), cells,
+        R"(<div class="panel">{}<div class="pictures" style="--columns:{};--width:{}px">{}</div>{}</div>)",
+        title_html(table.title), table.columns.size(), table.column_width, cells,
         limit > 0.0 ? difference_legend(limit) : "");
 }
 

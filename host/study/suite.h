@@ -17,12 +17,18 @@ struct FigureEntry {
     Figure (*make)(const StudyRun& run);
 };
 
+inline constexpr std::string_view kSimulated =
+    "The simulation sends light on random walks through the facets, media and base, every order of "
+    "scattering, and knows no model. The models are those of the reference in double precision. "
+    "Where an error is next to its noise, the simulation cannot tell it from 0.";
+
 struct Suite {
     std::string_view name;   // on the command line
     std::string_view title;  // of its page
     std::string_view paper;  // authors, year, title
     std::string_view summary;
     std::span<const FigureEntry> figures;
+    std::string_view method = kSimulated;  // how the page says that its numbers were found
 };
 
 struct StudyResult {

@@ -20,9 +20,10 @@ std::vector<std::string> common_models(const StudyResult& result) {
             else
                 ++found->second;
         }
+    const bool only_figure = result.figures.size() == 1;
     std::vector<std::string> models;
     for (const auto& [model, count] : counts)
-        if (count > 1) models.push_back(model);
+        if (count > 1 || only_figure) models.push_back(model);
     return models;
 }
 

@@ -8,7 +8,7 @@
 
 namespace lacquer::study {
 
-// The models that several figures have errors of, in order.
+// The models that several figures have errors of, or the only one, in order.
 std::vector<std::string> common_models(const StudyResult& result);
 
 // For a terminal: one line per figure and model.
