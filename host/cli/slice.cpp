@@ -1,5 +1,6 @@
 // `lacquer slice`: a picture of the BSDF over all light directions, for one viewer.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <numbers>
@@ -46,7 +47,11 @@ struct Arguments {
 };
 
 glm::dvec3 viewer(const Arguments& arguments) {
-    if (!arguments.wo.empty()) return unit_direction("--wo", arguments.wo);
+    if (!arguments.wo.empty()) {
+        const glm::dvec3 wo = unit_direction("--wo", arguments.wo);
+        require_range("--wo z, the cosine to the normal", std::min(wo.z, 1.0), 0.0, 1.0);
+        return wo;
+    }
     require_range("--wo-theta", arguments.wo_theta_deg, 0.0, kMaxTheta_deg);
     return direction_at(arguments.wo_theta_deg);
 }
@@ -101,7 +106,7 @@ void add_slice_command(CLI::App& app) {
             ->add_option("--wo-theta", arguments->wo_theta_deg,
                          "Degrees from the normal to the viewer, towards +x, 0 to 90")
             ->capture_default_str();
-    command->add_option("--wo", arguments->wo, "Unit direction X,Y,Z to the viewer")
+    command->add_option("--wo", arguments->wo, "Unit direction X,Y,Z to the viewer, Z not negative")
         ->delimiter(',')
         ->expected(3)
         ->excludes(theta);

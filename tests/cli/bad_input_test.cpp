@@ -102,6 +102,8 @@ TEST(BadUsage, DirectionsThatAreNotUnitAreErrorsAndNotNormalized) {
     const std::string output = (folder / "x.exr").string();
     expect_failure(run_lacquer({"slice", "--material", "gold", "-o", output, "--wo", "1,1,1"}),
                    kUsage, {"--wo", "1.73205", "1e-05"});
+    expect_failure(run_lacquer({"slice", "--material", "gold", "-o", output, "--wo", "0,0.6,-0.8"}),
+                   kUsage, {"--wo", "-0.8", "[0, 1]"});
     expect_failure(run_lacquer({"sphere", "--material", "gold", "-o", output, "--light", "-1,0,1"}),
                    kUsage, {"--light", "1.41421"});
     expect_failure(
