@@ -131,13 +131,14 @@ LqBalance lq_fit_balance(const LqStackSurface surface, const LqFittedLobe lobe) 
                              lq_balance_step(values[k].y, sent.y, wanted[k].y),
                              lq_balance_step(values[k].z, sent.z, wanted[k].z));
         }
-        const vec3 rise_1 = values[1] - values[0];
-        const vec3 rise_2 = values[2] - values[1];
-        const vec3 rise_3 = values[3] - values[2];
-        const vec3 rise_4 = values[4] - values[3];
-        balance = LqBalance(values[0], vec4(rise_1.x, rise_2.x, rise_3.x, rise_4.x),
-                            vec4(rise_1.y, rise_2.y, rise_3.y, rise_4.y),
-                            vec4(rise_1.z, rise_2.z, rise_3.z, rise_4.z));
+        const vec3 first_rise = values[1] - values[0];
+        const vec3 second_rise = values[2] - values[1];
+        const vec3 third_rise = values[3] - values[2];
+        const vec3 fourth_rise = values[4] - values[3];
+        balance =
+            LqBalance(values[0], vec4(first_rise.x, second_rise.x, third_rise.x, fourth_rise.x),
+                      vec4(first_rise.y, second_rise.y, third_rise.y, fourth_rise.y),
+                      vec4(first_rise.z, second_rise.z, third_rise.z, fourth_rise.z));
     }
     return balance;
 }
