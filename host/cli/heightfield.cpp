@@ -201,7 +201,7 @@ void add_heightfield_command(CLI::App& app) {
         ->add_option("--orders", arguments->orders, "Numbers of facets that are told apart, 1 to 8")
         ->capture_default_str();
     command
-        ->add_option("--grid", arguments->grid.cells, "Cells along a side of a surface, 32 to 8192")
+        ->add_option("--grid", arguments->grid.cells, "Cells along a side of a surface, 32 to 4096")
         ->capture_default_str();
     command
         ->add_option("--correlation", arguments->grid.cells_per_length,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 namespace lacquer::heightfield {
 

@@ -19,7 +19,7 @@ struct FieldGrid {
 };
 
 inline constexpr int kMinCells = 32;
-inline constexpr int kMaxCells = 8192;
+inline constexpr int kMaxCells = 4096;
 // With fewer, the spectrum does not fit on the grid.
 inline constexpr double kMinCellsPerLength = 4.0;
 // With fewer, the surface is no random one: it meets its own copies.

@@ -30,8 +30,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kDoubleRounding = 1e-15;
 constexpr double kFloatRounding = 5e-7;
 
-constexpr std::array kCommands{"compare", "bench",  "eval",   "albedo", "interface",
-                               "slice",   "sphere", "export", "doctor"};
+constexpr std::array kCommands{"compare",     "bench", "eval",   "albedo", "interface",
+                               "heightfield", "slice", "sphere", "export", "doctor"};
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;

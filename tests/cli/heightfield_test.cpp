@@ -98,7 +98,7 @@ TEST_F(HeightfieldCommand, NumbersOutOfRangeNameIt) {
     for (const auto& [option, value, limit] : {std::tuple{"--theta", "45", "1.57"},
                                                {"--theta", "-0.1", "[0"},
                                                {"--orders", "0", "[1, 8]"},
-                                               {"--grid", "16", "[32, 8192]"},
+                                               {"--grid", "16", "[32, 4096]"},
                                                {"--correlation", "17", "[4, 16]"},
                                                {"--realisations", "1", "[2, 4096]"},
                                                {"--size", "4", "[8, 512]"},

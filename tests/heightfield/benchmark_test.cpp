@@ -43,21 +43,25 @@ Effort thorough() {
     return effort;
 }
 
-std::vector<ScatteredLight> expect_theory(const std::vector<FacetStratum>& strata,
-                                          const Effort& effort, const std::string& what) {
+void expect_near(const simulator::RgbEstimate& traced, const simulator::RgbEstimate& walked,
+                 const Effort& effort, const std::string& what) {
+    EXPECT_NEAR(traced.mean[0], walked.mean[0],
+                kTheory + effort.noise * (traced.standard_error[0] + walked.standard_error[0]))
+        << what;
+}
+
+void expect_theory(const std::vector<FacetStratum>& strata, const Effort& effort,
+                   const std::string& what) {
     const auto traced = heightfield_light(strata, kDirections, effort.grid, effort.light);
     const auto walked = smith_light(simulator::SurfaceWalk{{Blend::Operator::asymmetric, strata}},
                                     kDirections, effort.light);
-    for (std::size_t n = 0; n < kDirections.size(); ++n)
-        for (std::size_t order = 0; order < 3; ++order) {
-            const auto& found = traced[n].orders[order].energy;
-            const auto& theory = walked[n].orders[order].energy;
-            EXPECT_NEAR(
-                found.mean[0], theory.mean[0],
-                kTheory + effort.noise * (found.standard_error[0] + theory.standard_error[0]))
-                << fmt::format("{}, direction {}, order {}", what, n, order + 1);
-        }
-    return traced;
+    for (std::size_t n = 0; n < kDirections.size(); ++n) {
+        for (std::size_t order = 0; order < 3; ++order)
+            expect_near(traced[n].orders[order].energy, walked[n].orders[order].energy, effort,
+                        fmt::format("{}, direction {}, order {}", what, n, order + 1));
+        expect_near(traced[n].transmitted, walked[n].transmitted, effort,
+                    fmt::format("{}, direction {}, transmitted", what, n));
+    }
 }
 
 void expect_theory_everywhere(const Effort& effort) {
@@ -73,6 +77,26 @@ TEST(Benchmark, OrdersAreThoseOfSmithsTheory) {
 
 TEST(BenchmarkFull, OrdersAreThoseOfSmithsTheory) {
     expect_theory_everywhere(thorough());
+}
+
+// Diffuse facets scatter on, dielectric ones let light through to the surface's other side, where
+// the strata are in the other order.
+void expect_other_materials(const Effort& effort) {
+    for (const auto& [top, bottom] : {std::pair{0.91, 0.364}, {0.364, 0.91}}) {
+        const std::string strata = fmt::format("{} over {}", top, bottom);
+        expect_theory(test::two_strata(top, bottom, simulator::DiffuseFacet{{0.8, 0.8, 0.8}}),
+                      effort, "diffuse " + strata);
+        expect_theory(test::two_strata(top, bottom, simulator::DielectricFacet{1.5}), effort,
+                      "dielectric " + strata);
+    }
+}
+
+TEST(Benchmark, OtherMaterialsFollowTheTheoryToo) {
+    expect_other_materials(quick());
+}
+
+TEST(BenchmarkFull, OtherMaterialsFollowTheTheoryToo) {
+    expect_other_materials(thorough());
 }
 
 // What another ray tracer found on Gaussian heightfields at theta 0.75, to three digits: energy of

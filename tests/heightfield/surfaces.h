@@ -24,9 +24,9 @@ inline std::vector<simulator::FacetStratum> uniform(
     return {{1.0, beckmann(alpha), material}};
 }
 
-inline std::vector<simulator::FacetStratum> two_strata(double top, double bottom,
-                                                       double top_weight = 0.5) {
-    return {{top_weight, beckmann(top), kMirror}, {1.0 - top_weight, beckmann(bottom), kMirror}};
+inline std::vector<simulator::FacetStratum> two_strata(
+    double top, double bottom, const simulator::FacetMaterial& material = kMirror) {
+    return {{0.5, beckmann(top), material}, {0.5, beckmann(bottom), material}};
 }
 
 // Towards light at `theta` from the normal, in radians.
