@@ -19,11 +19,14 @@ std::size_t surface_rows(Model model) {
         case Model::stack:
         case Model::stack_symmetric:
             return kStackRows;
+        case Model::microsurface_single:
+            break;
     }
     return 0;
 }
 
 std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> materials) {
+    require_shaders(model);
     std::vector<glm::vec4> rows;
     rows.reserve(materials.size() * surface_rows(model));
     for (const Material& material : materials) {
@@ -46,7 +49,10 @@ std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> mate
             case Model::stack_symmetric: {
                 const auto packed = pack_stack(material, model);
                 rows.insert(rows.end(), packed.begin(), packed.end());
+                break;
             }
+            case Model::microsurface_single:
+                break;
         }
     }
     return rows;

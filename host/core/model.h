@@ -7,14 +7,15 @@
 namespace lacquer {
 
 enum class Model {
-    plain,            // single reflections of the top interface plus the base as if bare
-    clearcoat,        // glTF's: Fresnel's factor divides the light between coat and base
-    weidlich_wilkie,  // light enters and leaves the coat through one facet
-    openpbr_coat,     // OpenPBR's: the base made rougher, darker and attenuated by the coat
-    coated_ggx,       // all light between coat and base; the base's leaves as a GGX lobe
-    coated_exact,     // the same; the base's leaves as it is
-    stack,            // any number of layers over any base, with all light between them
-    stack_symmetric,  // the same, the same when light and viewer change places
+    plain,                // single reflections of the top interface plus the base as if bare
+    clearcoat,            // glTF's: Fresnel's factor divides the light between coat and base
+    weidlich_wilkie,      // light enters and leaves the coat through one facet
+    openpbr_coat,         // OpenPBR's: the base made rougher, darker and attenuated by the coat
+    coated_ggx,           // all light between coat and base; the base's leaves as a GGX lobe
+    coated_exact,         // the same; the base's leaves as it is
+    stack,                // any number of layers over any base, with all light between them
+    stack_symmetric,      // the same, the same when light and viewer change places
+    microsurface_single,  // one rough surface, uniform or blended: what meets one facet
 };
 
 // The name on the command line, in JSON and in file names of shader variants.
@@ -27,9 +28,19 @@ std::string_view model_level(Model model);
 // Whether its shaders read the baked tables.
 bool reads_tables(Model model);
 
+// Whether the shader source has it; of a model that it has not yet, the backend `reference` alone
+// computes anything.
+bool has_shaders(Model model);
+
+// Throws Error for a model that the shader source does not have.
+void require_shaders(Model model);
+
 // Throws UsageError listing the models there are.
 Model model_from_name(std::string_view name);
 
 std::span<const Model> all_models();
+
+// Those that every backend runs.
+std::span<const Model> shader_models();
 
 }  // namespace lacquer

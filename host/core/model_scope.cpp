@@ -20,6 +20,7 @@ struct Scope {
     Extra scattering;
     bool lambertian_only = false;  // a coat over a Lambertian base, and nothing else
     bool whole_stacks = false;     // at least one layer, and bases as they are
+    bool one_surface = false;      // one interface or one conductor, uniform or blended
 };
 
 Scope scope_of(Model model) {
@@ -36,6 +37,8 @@ Scope scope_of(Model model) {
         case Model::stack:
         case Model::stack_symmetric:
             return {Extra::shaded, Extra::shaded, false, true};
+        case Model::microsurface_single:
+            return {Extra::refused, Extra::refused, false, false, true};
     }
     return {Extra::refused, Extra::refused};
 }
@@ -59,7 +62,7 @@ constexpr std::string_view kNoBlend = "cannot shade a blended microsurface";
 
 std::optional<Refusal> refused_layer(const Layer& layer, const std::string& pointer,
                                      const Scope& scope) {
-    if (is_blend(layer.interface.roughness))
+    if (!scope.one_surface && is_blend(layer.interface.roughness))
         return Refusal{pointer + "/interface/blend", std::string{kNoBlend}};
     if (scope.scattering == Extra::refused && scatters(layer.medium))
         return Refusal{pointer + "/medium/sigma_s", "cannot shade a medium that scatters"};
@@ -82,6 +85,24 @@ std::optional<Refusal> refused_layers(const std::vector<Layer>& layers, const Sc
     return std::nullopt;
 }
 
+// Of a surface that stands alone.
+std::optional<Refusal> refused_surface(const Material& material) {
+    if (!material.layers.empty()) {
+        if (std::holds_alternative<NoBase>(material.base)) return std::nullopt;
+        return Refusal{"/base", "shades an interface without a base, or a bare conductor"};
+    }
+    const auto* conductor = std::get_if<ConductorBase>(&material.base);
+    if (conductor == nullptr)
+        return Refusal{"/base", "shades bare conductors only, or an interface without a base"};
+    const auto* blend = std::get_if<Blend>(&conductor->roughness);
+    if (blend == nullptr) return std::nullopt;
+    for (std::size_t k = 0; k < blend->strata.size(); ++k)
+        if (blend->strata[k].albedo)
+            return Refusal{fmt::format("/base/conductor/blend/strata/{}/albedo", k),
+                           "cannot shade diffuse facets"};
+    return std::nullopt;
+}
+
 std::optional<Refusal> refused_base(const Base& base, const Scope& scope) {
     if (scope.lambertian_only && !std::holds_alternative<LambertianBase>(base))
         return Refusal{"/base", "shades Lambertian bases only"};
@@ -99,8 +120,11 @@ std::optional<Refusal> refused_base(const Base& base, const Scope& scope) {
 }  // namespace
 
 std::optional<std::string> why_not_shadeable(const Material& material, Model model) {
-    std::optional<Refusal> refusal = refused_layers(material.layers, scope_of(model));
-    if (!refusal) refusal = refused_base(material.base, scope_of(model));
+    const Scope scope = scope_of(model);
+    std::optional<Refusal> refusal = refused_layers(material.layers, scope);
+    if (!refusal)
+        refusal =
+            scope.one_surface ? refused_surface(material) : refused_base(material.base, scope);
     if (!refusal) return std::nullopt;
     return fmt::format("{}: the model '{}' {}", refusal->pointer, model_name(model), refusal->why);
 }

@@ -211,6 +211,7 @@ using StackSymmetricFunctions =
 
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {
     using namespace shader;
+    require_shaders(model);
     if (model == Model::stack)
         return level<StackFunctions>(to_stack(stack_parameters(material, model), lq_stack_prepare));
     if (model == Model::stack_symmetric)
@@ -241,6 +242,7 @@ std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, 
                 parameters, model == Model::coated_ggx ? LQ_BASE_LOBE_GGX : LQ_BASE_LOBE_EXACT)));
         case Model::stack:
         case Model::stack_symmetric:
+        case Model::microsurface_single:
             break;
     }
     return nullptr;

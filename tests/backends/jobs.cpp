@@ -60,7 +60,7 @@ Job OwnedJob::job() const {
 
 std::vector<Model> other_models() {
     std::vector<Model> models;
-    for (const Model model : all_models())
+    for (const Model model : shader_models())
         if (model != Model::plain) models.push_back(model);
     return models;
 }

@@ -27,7 +27,7 @@ inline constexpr Kernel kAllKernels[] = {Kernel::eval,   Kernel::slice,  Kernel:
                                          Kernel::sample, Kernel::albedo, Kernel::lights,
                                          Kernel::copy};
 
-// All models but `plain`.
+// All models of the shader source but `plain`.
 std::vector<Model> other_models();
 
 // Coated and bare, dielectric and metal, both distributions, isotropic and not, no base.

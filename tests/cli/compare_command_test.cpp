@@ -39,7 +39,7 @@ TEST(CompareCommand, PassesTheShaderSourceAsCpp) {
 }
 
 TEST(CompareCommand, PassesEveryModelAsCpp) {
-    for (const Model model : all_models())
+    for (const Model model : shader_models())
         // The coated models shade no metal.
         expect_success(run_lacquer({"compare", "--backend", "cpp", "--material",
                                     reads_tables(model) ? "porcelain" : "lacquered_copper",

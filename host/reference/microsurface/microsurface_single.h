@@ -1,0 +1,47 @@
+// The model `microsurface-single` in double precision: one rough surface, uniform or not, that
+// reflects or refracts what meets one of its facets; what meets more is left out.
+// Based on: d'Eon et al. 2023, Microfacet Theory for Non-Uniform Heightfields
+//
+// Directions to the light and to the viewer may be on either side of a dielectric surface, whose
+// medium has one boundary: crossing it absorbs. f scales radiance, which grows by the square of the
+// index on the way into a medium: f(wi, wo) / n(wo)^2 is symmetric, n(w) the index on the side of
+// w.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "lacquer/material.h"
+#include "reference/microsurface/single_scattering.h"
+#include "reference/shading.h"
+
+namespace lacquer::reference {
+
+struct SingleMicrosurface {
+    RoughSide above;
+    std::optional<RoughSide> below;  // of a dielectric surface
+    glm::dvec3 tau{1.0};             // the medium's transmittance along the normal
+    bool is_there = true;            // a surface between equal indices is not
+};
+
+// Throws Error naming the JSON pointer of what the model cannot shade: anything but one interface
+// without a base or a bare conductor, diffuse strata, a medium that scatters.
+SingleMicrosurface prepare_microsurface_single(const Material& material);
+
+// f(wi, wo), per steradian, of reflection or, with the directions on both sides, of refraction; 0
+// along the surface and between equal indices, where light goes straight on.
+glm::dvec3 eval(const SingleMicrosurface& surface, const glm::dvec3& wi, const glm::dvec3& wo);
+
+// Density per solid angle with which `sample` chooses wi.
+double pdf(const SingleMicrosurface& surface, const glm::dvec3& wi, const glm::dvec3& wo);
+
+// A direction of light for a viewer at wo, from u in [0, 1)^3: u.x chooses the stratum of a visible
+// facet and whether a dielectric one refracts, (u.y, u.z) the facet. No weight is above 1, or
+// n(wo)^2 / n(wi)^2 where it is refracted.
+Sample sample(const SingleMicrosurface& surface, const glm::dvec3& wo, const glm::dvec3& u);
+
+// The fractions of light along wo that leave on the side of wo (`direct`, of a conductor `base`)
+// and on the other (`transmitted`), to 1e-6.
+Albedo albedo(const SingleMicrosurface& surface, const glm::dvec3& wo);
+
+}  // namespace lacquer::reference
