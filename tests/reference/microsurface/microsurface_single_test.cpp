@@ -86,7 +86,8 @@ std::vector<glm::dvec3> viewers() {
 }
 
 double index_at(const Material& material, const glm::dvec3& w) {
-    return w.z < 0.0 ? material.layers.front().interface.ior : 1.0;
+    if (w.z >= 0.0 || material.layers.empty()) return 1.0;
+    return material.layers.front().interface.ior;
 }
 
 TEST(MicrosurfaceSingle, IsReciprocal) {
@@ -113,10 +114,10 @@ TEST(MicrosurfaceSingle, IsReciprocal) {
 
 TEST(MicrosurfaceSingle, SampleFollowsItsDensity) {
     const double significance =
-        test::sidak_significance(0.01, static_cast<int>(cases().size() * viewers().size()));
+        test::sidak_significance(0.01, 2 * static_cast<int>(cases().size()));
     for (const auto& [name, material] : cases()) {
         const SingleMicrosurface surface = prepare_microsurface_single(material);
-        for (const glm::dvec3& wo : viewers()) {
+        for (const glm::dvec3& wo : {test::direction(0.5, 0.4), -test::direction(0.7, 0.4)}) {
             if (wo.z < 0.0 && !surface.below) continue;
             test::expect_sphere_sampling_fit(
                 [&](const glm::dvec3& u) -> std::optional<glm::dvec3> {
@@ -163,7 +164,7 @@ TEST(MicrosurfaceSingle, WeightsAverageToTheAlbedo) {
     constexpr double kPointError = 4e-3;
     for (const auto& [name, material] : cases()) {
         const SingleMicrosurface surface = prepare_microsurface_single(material);
-        for (const glm::dvec3& wo : viewers()) {
+        for (const glm::dvec3& wo : {test::direction(0.5, 0.4), -test::direction(0.7, 0.4)}) {
             if (wo.z < 0.0 && !surface.below) continue;
             const Albedo expected = albedo(surface, wo);
             const auto mean_of = [&](bool through) {
