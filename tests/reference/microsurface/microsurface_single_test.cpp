@@ -117,7 +117,8 @@ TEST(MicrosurfaceSingle, SampleFollowsItsDensity) {
         test::sidak_significance(0.01, 2 * static_cast<int>(cases().size()));
     for (const auto& [name, material] : cases()) {
         const SingleMicrosurface surface = prepare_microsurface_single(material);
-        for (const glm::dvec3& wo : {test::direction(0.5, 0.4), -test::direction(0.7, 0.4)}) {
+        // Light refracted by vertical facets has an edge, which midpoints miss at grazing angles.
+        for (const glm::dvec3& wo : {test::direction(0.8, 0.4), -test::direction(0.7, 0.4)}) {
             if (wo.z < 0.0 && !surface.below) continue;
             test::expect_sphere_sampling_fit(
                 [&](const glm::dvec3& u) -> std::optional<glm::dvec3> {
