@@ -26,6 +26,9 @@ constexpr std::array kLevels{
           "any number of rough layers over any base, with all light between them", true, true},
     Level{"stack_symmetric", "stack_symmetric/stack_symmetric.glsl", "LQ_MODEL_STACK_SYMMETRIC",
           "the same stacks, reciprocal: light is followed when a surface is prepared", true, true},
+    Level{"microsurface_single", "microsurface_single/microsurface_single.glsl",
+          "LQ_MODEL_MICROSURFACE_SINGLE",
+          "facets of several strata, one above the other or mixed: light that met one of them"},
 };
 
 struct StageEntry {

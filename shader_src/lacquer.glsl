@@ -25,6 +25,7 @@
 // Levels:
 #include "clearcoat/clearcoat.glsl"
 #include "coated/coated.glsl"
+#include "microsurface_single/microsurface_single.glsl"
 #include "openpbr_coat/openpbr_coat.glsl"
 #include "plain/plain.glsl"
 #include "stack/stack.glsl"

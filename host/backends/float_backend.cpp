@@ -77,7 +77,6 @@ std::vector<BufferArgument::Kind> kernel_argument_kinds() {
 
 void FloatBackend::prepare(Model model, Kernel kernel) {
     if (prepared_.contains({model, kernel})) return;
-    require_shaders(model);
     compile(model, kernel);
     // Drivers translate to machine code when a kernel first runs: let that be now. One query over
     // zeroed rows, which every kernel must bear.

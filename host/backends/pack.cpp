@@ -1,6 +1,7 @@
 #include "backends/pack.h"
 
 #include "backends/pack_coated.h"
+#include "backends/pack_microsurface.h"
 #include "backends/pack_one_coat.h"
 #include "backends/pack_stack.h"
 
@@ -20,13 +21,12 @@ std::size_t surface_rows(Model model) {
         case Model::stack_symmetric:
             return kStackRows;
         case Model::microsurface_single:
-            break;
+            return kMicrosurfaceRows;
     }
     return 0;
 }
 
 std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> materials) {
-    require_shaders(model);
     std::vector<glm::vec4> rows;
     rows.reserve(materials.size() * surface_rows(model));
     for (const Material& material : materials) {
@@ -51,8 +51,10 @@ std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> mate
                 rows.insert(rows.end(), packed.begin(), packed.end());
                 break;
             }
-            case Model::microsurface_single:
-                break;
+            case Model::microsurface_single: {
+                const auto packed = pack_microsurface(material, model);
+                rows.insert(rows.end(), packed.begin(), packed.end());
+            }
         }
     }
     return rows;

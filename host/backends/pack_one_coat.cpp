@@ -1,29 +1,10 @@
 #include "backends/pack_one_coat.h"
 
-#include <algorithm>
-#include <glm/vec3.hpp>
-#include <limits>
-
+#include "backends/pack_row.h"
 #include "material/numbers.h"
 #include "shading/one_coat_parameters.h"
 
 namespace lacquer {
-
-namespace {
-
-// (alpha x, alpha y, `third`, ndf), the ndf as LQ_NDF_* of shader_src/microfacet/facets.glsl.
-glm::vec4 facets_row(const Microsurface& facets, double third) {
-    return {facets.alpha[0], facets.alpha[1], third, facets.ndf == Ndf::beckmann ? 1.0 : 0.0};
-}
-
-// Infinities, which not every language has, become the largest float.
-glm::vec4 colour_row(const Rgb& colour) {
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    return {std::min(colour[0], kLargest), std::min(colour[1], kLargest),
-            std::min(colour[2], kLargest), 0.0};
-}
-
-}  // namespace
 
 std::array<glm::vec4, kOneCoatRows> pack_one_coat(const Material& material, Model model) {
     // Rounded before logarithms are taken of what is rounded: so does the reference.

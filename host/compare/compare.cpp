@@ -159,11 +159,6 @@ BackendResult compare_backend(const CompareRequest& request, const BackendEntry&
     BackendResult result;
     result.name = entry.name;
     result.tolerance = tolerance_of(entry.name, request.model);
-    if (&entry != request.reference && !has_shaders(request.model)) {
-        result.reason =
-            fmt::format("the shader source has no model '{}'", model_name(request.model));
-        return result;
-    }
     const Availability availability = entry.probe(request.options);
     result.device = availability.detail;
     if (!availability.usable) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 
@@ -17,10 +16,9 @@ struct ModelEntry {
     std::string_view name;
     std::string_view level;
     bool reads_tables = false;
-    bool has_shaders = true;
 };
 
-// In the order of Model; those without shaders last.
+// In the order of Model.
 constexpr std::array kEntries{
     ModelEntry{Model::plain, "plain", "plain"},
     ModelEntry{Model::clearcoat, "clearcoat", "clearcoat"},
@@ -30,11 +28,8 @@ constexpr std::array kEntries{
     ModelEntry{Model::coated_exact, "coated-exact", "coated", true},
     ModelEntry{Model::stack, "stack", "stack", true},
     ModelEntry{Model::stack_symmetric, "stack-symmetric", "stack_symmetric", true},
-    ModelEntry{Model::microsurface_single, "microsurface-single", "microsurface_single", false,
-               false},
+    ModelEntry{Model::microsurface_single, "microsurface-single", "microsurface_single"},
 };
-
-static_assert(std::ranges::is_partitioned(kEntries, &ModelEntry::has_shaders));
 
 constexpr auto kModels = [] {
     std::array<Model, kEntries.size()> models{};
@@ -60,16 +55,6 @@ bool reads_tables(Model model) {
     return entry_of(model).reads_tables;
 }
 
-bool has_shaders(Model model) {
-    return entry_of(model).has_shaders;
-}
-
-void require_shaders(Model model) {
-    if (!has_shaders(model))
-        throw Error{
-            fmt::format("the model '{}' runs on the backend 'reference' only", model_name(model))};
-}
-
 Model model_from_name(std::string_view name) {
     std::string known;
     for (const ModelEntry& entry : kEntries) {
@@ -82,11 +67,6 @@ Model model_from_name(std::string_view name) {
 
 std::span<const Model> all_models() {
     return kModels;
-}
-
-std::span<const Model> shader_models() {
-    const auto count = std::ranges::count_if(kEntries, &ModelEntry::has_shaders);
-    return std::span{kModels}.first(static_cast<std::size_t>(count));
 }
 
 }  // namespace lacquer

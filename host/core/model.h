@@ -28,19 +28,9 @@ std::string_view model_level(Model model);
 // Whether its shaders read the baked tables.
 bool reads_tables(Model model);
 
-// Whether the shader source has it; of a model that it has not yet, the backend `reference` alone
-// computes anything.
-bool has_shaders(Model model);
-
-// Throws Error for a model that the shader source does not have.
-void require_shaders(Model model);
-
 // Throws UsageError listing the models there are.
 Model model_from_name(std::string_view name);
 
 std::span<const Model> all_models();
-
-// Those that every backend runs.
-std::span<const Model> shader_models();
 
 }  // namespace lacquer

@@ -85,22 +85,30 @@ std::optional<Refusal> refused_layers(const std::vector<Layer>& layers, const Sc
     return std::nullopt;
 }
 
+std::optional<Refusal> refused_strata(const Roughness& roughness, const std::string& pointer) {
+    const auto* blend = std::get_if<Blend>(&roughness);
+    if (blend == nullptr || blend->strata.size() <= kMaxStrata) return std::nullopt;
+    return Refusal{fmt::format("{}/blend/strata/{}", pointer, kMaxStrata),
+                   fmt::format("shades at most {} strata", kMaxStrata)};
+}
+
 // Of a surface that stands alone.
 std::optional<Refusal> refused_surface(const Material& material) {
     if (!material.layers.empty()) {
-        if (std::holds_alternative<NoBase>(material.base)) return std::nullopt;
+        if (std::holds_alternative<NoBase>(material.base))
+            return refused_strata(material.layers.front().interface.roughness,
+                                  "/layers/0/interface");
         return Refusal{"/base", "shades an interface without a base, or a bare conductor"};
     }
     const auto* conductor = std::get_if<ConductorBase>(&material.base);
     if (conductor == nullptr)
         return Refusal{"/base", "shades bare conductors only, or an interface without a base"};
-    const auto* blend = std::get_if<Blend>(&conductor->roughness);
-    if (blend == nullptr) return std::nullopt;
-    for (std::size_t k = 0; k < blend->strata.size(); ++k)
-        if (blend->strata[k].albedo)
-            return Refusal{fmt::format("/base/conductor/blend/strata/{}/albedo", k),
-                           "cannot shade diffuse facets"};
-    return std::nullopt;
+    if (const auto* blend = std::get_if<Blend>(&conductor->roughness))
+        for (std::size_t k = 0; k < blend->strata.size(); ++k)
+            if (blend->strata[k].albedo)
+                return Refusal{fmt::format("/base/conductor/blend/strata/{}/albedo", k),
+                               "cannot shade diffuse facets"};
+    return refused_strata(conductor->roughness, "/base/conductor");
 }
 
 std::optional<Refusal> refused_base(const Base& base, const Scope& scope) {

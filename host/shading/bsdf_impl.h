@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lacquer/bsdf.h"
+#include "shading/microsurface_parameters.h"
 #include "shading/one_coat_parameters.h"
 #include "shading/stack_parameters.h"
 
@@ -209,14 +210,36 @@ using StackSymmetricFunctions =
                      shader::lq_stack_symmetric_albedo, shader::lq_stack_symmetric_view,
                      shader::lq_stack_symmetric_view_eval_cos>;
 
+shader::LqMicrosurface to_microsurface(const MicrosurfaceParameters& parameters) {
+    const auto stratum = [&](std::size_t k) -> shader::LqStratum {
+        if (k >= parameters.strata.size()) return {{0, Real{1}, Real{1}}, Real{0}, {}, {}};
+        const MicrosurfaceParameters::Stratum& own = parameters.strata[k];
+        return {to_facets(own.microsurface), static_cast<Real>(own.weight), to_vector(own.eta),
+                to_vector(own.kappa)};
+    };
+    const bool is_mixed = parameters.op == Blend::Operator::symmetric;
+    return {is_mixed ? shader::LQ_BLEND_SYMMETRIC : shader::LQ_BLEND_ASYMMETRIC,
+            static_cast<int>(parameters.strata.size()),
+            static_cast<Real>(parameters.eta),
+            to_vector(parameters.optical_depth),
+            stratum(0),
+            stratum(1),
+            stratum(2),
+            stratum(3)};
+}
+
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {
     using namespace shader;
-    require_shaders(model);
     if (model == Model::stack)
         return level<StackFunctions>(to_stack(stack_parameters(material, model), lq_stack_prepare));
     if (model == Model::stack_symmetric)
         return level<StackSymmetricFunctions>(
             to_stack(stack_parameters(material, model), lq_stack_symmetric_prepare));
+    if (model == Model::microsurface_single)
+        return level<Functions<lq_microsurface_single_eval, lq_microsurface_single_eval_cos,
+                               lq_microsurface_single_pdf, lq_microsurface_single_sample,
+                               lq_microsurface_single_albedo>>(
+            lq_microsurface_prepare(to_microsurface(microsurface_parameters(material, model))));
     const OneCoatParameters parameters = one_coat_parameters(material, model);
     const LqOneCoat surface = to_one_coat(parameters);
     switch (model) {

@@ -60,7 +60,7 @@ Model model_for(const Material& material, Model wanted) {
 }
 
 Model next_model(const Material& material, Model model) {
-    const std::span<const Model> models = shader_models();
+    const std::span<const Model> models = all_models();
     auto next = std::ranges::find(models, model);
     do {
         if (++next == models.end()) next = models.begin();

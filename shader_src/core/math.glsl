@@ -49,10 +49,8 @@ vec2 lq_cos_sin_turn(const float turn) {
     return vec2(cosine, sine);
 }
 
-// Natural logarithm of x in [1/3, 3], to a few roundings: that of some drivers is off by 1e-6.
-// log x = 2 artanh z for z = (x - 1) / (x + 1), |z| <= 1/2, by its Taylor series.
-float lq_log_ratio(const float x) {
-    const float z = (x - 1.0) / (x + 1.0);
+// 2 artanh z for |z| <= 1/2, by its Taylor series, to a few roundings.
+float lq_twice_artanh(const float z) {
     const float s = z * z;
     float sum = 0.032258064516129;
     sum = sum * s + 0.0344827586206897;
@@ -71,6 +69,16 @@ float lq_log_ratio(const float x) {
     sum = sum * s + 0.333333333333333;
     sum = sum * s + 1.0;
     return 2.0 * z * sum;
+}
+
+// Natural logarithm of x in [1/3, 3], to a few roundings: that of some drivers is off by 1e-6.
+float lq_log_ratio(const float x) {
+    return lq_twice_artanh((x - 1.0) / (x + 1.0));
+}
+
+// log(1 - y) for y in [0, 2/3], with all its digits near 0.
+float lq_log_complement(const float y) {
+    return lq_twice_artanh(-y / (2.0 - y));
 }
 
 // exp(x^2) times the first repeated integral of erfc, for x >= 0, to 3e-7 relative:

@@ -8,6 +8,9 @@
 #ifdef LQ_MODEL_STACK_SYMMETRIC
 #include "model_stack_symmetric.glsl"
 #endif
+#ifdef LQ_MODEL_MICROSURFACE_SINGLE
+#include "model_microsurface_single.glsl"
+#endif
 #ifdef LQ_MODEL_PLAIN
 #include "model_plain.glsl"
 #endif

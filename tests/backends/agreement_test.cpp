@@ -53,7 +53,8 @@ TEST_P(BackendAgreement, WithTheReference) {
     if (!backend) GTEST_SKIP() << skipped;
     // An albedo is hundreds of evaluations.
     const std::uint64_t queries_per_material = kernel == Kernel::albedo ? 64 : 4096;
-    OwnedJob owned = make_job(kernel, test_materials(), queries_per_material);
+    OwnedJob owned =
+        make_job(kernel, shadeable(test_materials(), Model::plain), queries_per_material);
     if (kernel == Kernel::lights) owned.parameters.point_count = kLights;
     const JobResult result = backend->run(owned.job());
     EXPECT_GT(result.seconds, 0.0);
@@ -115,12 +116,11 @@ TEST_P(Formula, OfTheShaderSourceIsThatOfTheReference) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, Formula, ::testing::ValuesIn(shader_models()),
-                         [](const auto& test) {
-                             std::string name{model_name(test.param)};
-                             std::ranges::replace(name, '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Every, Formula, ::testing::ValuesIn(all_models()), [](const auto& test) {
+    std::string name{model_name(test.param)};
+    std::ranges::replace(name, '-', '_');
+    return name;
+});
 
 std::string test_name(const ::testing::TestParamInfo<BackendAgreement::ParamType>& test) {
     std::string name = std::get<0>(test.param);

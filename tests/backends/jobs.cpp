@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace lacquer::test {
@@ -60,12 +62,14 @@ Job OwnedJob::job() const {
 
 std::vector<Model> other_models() {
     std::vector<Model> models;
-    for (const Model model : shader_models())
+    for (const Model model : all_models())
         if (model != Model::plain) models.push_back(model);
     return models;
 }
 
-std::vector<Material> test_materials() {
+namespace {
+
+std::vector<Material> uniform_materials() {
     const Rgb gold_eta{0.143, 0.375, 1.442};
     const Rgb gold_kappa{3.983, 2.386, 1.603};
     const ConductorBase gold{gold_eta, gold_kappa, Microsurface{Ndf::ggx, {0.2, 0.2}}};
@@ -79,6 +83,37 @@ std::vector<Material> test_materials() {
             {"varnished metal", 1.0, {coat(1.4, Ndf::ggx, 0.05, 0.05)}, brushed, {}},
             {"tinted", 1.0, {tinted}, LambertianBase{{0.8, 0.8, 0.8}}, {}},
             {"tinted metal", 1.0, {tinted}, gold, {}}};
+}
+
+Stratum stratum(double weight, Ndf ndf, double alpha_x, double alpha_y) {
+    return {weight, {ndf, {alpha_x, alpha_y}}, {}, {}, {}};
+}
+
+std::vector<Material> blended_materials() {
+    using Op = Blend::Operator;
+    const Rgb eta{0.2, 0.9, 1.1}, kappa{3.9, 2.5, 2.4};
+    Blend worn{Op::asymmetric,
+               {stratum(0.4, Ndf::ggx, 0.1, 0.1), stratum(0.6, Ndf::beckmann, 0.5, 0.5)}};
+    worn.strata[0].eta = {1.5, 0.9, 0.6};
+    worn.strata[0].kappa = {7.2, 6.4, 5.3};
+    const Blend hazy{Op::symmetric,
+                     {stratum(0.7, Ndf::ggx, 0.1, 0.3), stratum(0.3, Ndf::ggx, 0.6, 0.6)}};
+    const Blend pitted{Op::asymmetric,
+                       {stratum(0.5, Ndf::ggx, 0.2, 0.2), stratum(0.2, Ndf::ggx, 0.7, 0.4),
+                        stratum(0.3, Ndf::beckmann, 0.3, 0.3)}};
+    return {{"worn metal", 1.0, {}, ConductorBase{eta, kappa, worn}, {}},
+            {"hazy metal", 1.0, {}, ConductorBase{eta, kappa, hazy}, {}},
+            {"hazy glass", 1.0, {{{1.5, hazy}, AbsorbingMedium{{0.9, 0.5, 0.1}}}}, NoBase{}, {}},
+            {"pitted glass", 1.0, {{{1.8, pitted}, AbsorbingMedium{}}}, NoBase{}, {}},
+            {"bubble in glass", 1.5, {{{1.0, pitted}, AbsorbingMedium{}}}, NoBase{}, {}}};
+}
+
+}  // namespace
+
+std::vector<Material> test_materials() {
+    std::vector<Material> materials = uniform_materials();
+    std::ranges::move(blended_materials(), std::back_inserter(materials));
+    return materials;
 }
 
 std::vector<Material> shadeable(std::vector<Material> materials, Model model) {

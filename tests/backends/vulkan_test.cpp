@@ -27,7 +27,9 @@ TEST_P(ValidatedBackend, DrawsNoMessageFromTheValidationLayers) {
     for (const Kernel kernel : kAllKernels)
         // Twice, of growing size, because buffers are kept.
         for (const std::uint64_t queries_per_material : {7, 1000})
-            backend->run(make_job(kernel, test_materials(), queries_per_material).job());
+            backend->run(
+                make_job(kernel, shadeable(test_materials(), Model::plain), queries_per_material)
+                    .job());
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, ValidatedBackend, ::testing::Values("vulkan", "hlsl"));

@@ -138,8 +138,6 @@ void expect_cells(const Distribution& truth, std::vector<double> expected, doubl
     test::expect_fit(observed, expected, significance, what);
 }
 
-// Radiance of light from wi to wo goes with the light from wo to wi, which is what walks, times
-// n(wo)^2 / n(wi)^2.
 void expect_distributions(int configurations, std::uint64_t walks) {
     const HemisphereGrid grid{16, 32};
     const double significance = test::sidak_significance(0.01, 2 * configurations);
@@ -154,12 +152,8 @@ void expect_distributions(int configurations, std::uint64_t walks) {
             at.material.layers.front().interface.ior = n % 4 == 1 ? 1.8 : 0.6;
         const auto truth = simulated(at, grid, walks, static_cast<std::uint64_t>(n) + 1);
         const SingleMicrosurface surface = reference::prepare_microsurface_single(at.material);
-        const double ior =
-            at.material.layers.empty() ? 1.0 : at.material.layers.front().interface.ior;
-        const double scale = at.wo.z < 0.0 ? 1.0 / (ior * ior) : ior * ior;  // of what is refracted
-        const double side = at.wo.z < 0.0 ? -1.0 : 1.0;
         const auto density = [&](const glm::dvec3& wi) {
-            return eval(surface, wi, at.wo).x * std::abs(wi.z) * (wi.z * side < 0.0 ? scale : 1.0);
+            return eval(surface, wi, at.wo).x * std::abs(wi.z);
         };
         const auto expect = [&](const Distribution& light, double towards) {
             expect_cells(light, expected_cells(density, grid, towards), static_cast<double>(walks),

@@ -56,12 +56,12 @@ TEST(SphereView, has_unit_light_directions) {
 TEST(Models, follow_each_other_as_far_as_they_can_shade_the_material) {
     const Material coated{"coated", 1.0, {Layer{}}, LambertianBase{}, {}};
     std::vector<Model> seen;
-    for (Model model = Model::plain; seen.size() < shader_models().size(); seen.push_back(model))
+    for (Model model = Model::plain; seen.size() < all_models().size(); seen.push_back(model))
         model = next_model(coated, model);
     EXPECT_EQ(seen.back(), Model::plain);  // round once
-    EXPECT_EQ(std::set<Model>(seen.begin(), seen.end()).size(), shader_models().size());
+    EXPECT_EQ(std::set<Model>(seen.begin(), seen.end()).size(), all_models().size());
     const Material metal{"metal", 1.0, {}, ConductorBase{{1, 1, 1}, {1, 1, 1}, {}}, {}};
-    for (Model model : shader_models()) {
+    for (Model model : all_models()) {
         EXPECT_NE(model_level(next_model(metal, model)), "coated");
         EXPECT_EQ(model_for(metal, model), reads_tables(model) ? Model::plain : model);
         EXPECT_EQ(model_for(coated, model), model);

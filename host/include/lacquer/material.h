@@ -36,9 +36,11 @@ struct Stratum {
 struct Blend {
     enum class Operator { symmetric, asymmetric };
     Operator op = Operator::asymmetric;
-    std::vector<Stratum> strata;  // at least two
+    std::vector<Stratum> strata;  // at least two; models shade kMaxStrata
     friend bool operator==(const Blend&, const Blend&) = default;
 };
+
+inline constexpr std::size_t kMaxStrata = 4;  // shaders' LQ_MAX_STRATA
 
 // Uniform or blended.
 using Roughness = std::variant<Microsurface, Blend>;

@@ -100,8 +100,7 @@ glm::dvec3 eval(const SingleMicrosurface& surface, const glm::dvec3& wi, const g
     const glm::dvec3 crossings = crossing(surface, wi) * crossing(surface, wo);
     if (is_above(at.wi)) return crossings * reflected_once(*at.side, at.wi, at.wo);
     if (!is_below(at.wi) || !at.side->refracts) return glm::dvec3{0.0};
-    const double eta = eta_of(*at.side);
-    return crossings * (refracted_once(*at.side, at.wi, at.wo) / (eta * eta * -at.wi.z));
+    return crossings * (refracted_once(*at.side, at.wi, at.wo) / -at.wi.z);
 }
 
 double pdf(const SingleMicrosurface& surface, const glm::dvec3& wi, const glm::dvec3& wo) {

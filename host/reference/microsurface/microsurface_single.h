@@ -3,9 +3,8 @@
 // Based on: d'Eon et al. 2023, Microfacet Theory for Non-Uniform Heightfields
 //
 // Directions to the light and to the viewer may be on either side of a dielectric surface, whose
-// medium has one boundary: crossing it absorbs. f scales radiance, which grows by the square of the
-// index on the way into a medium: f(wi, wo) / n(wo)^2 is symmetric, n(w) the index on the side of
-// w.
+// medium has one boundary: crossing it absorbs. f is for radiance over the square of the index,
+// which refraction keeps: f(wi, wo) / n(wi)^2 is symmetric, n(w) the index on the side of w.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -36,8 +35,7 @@ glm::dvec3 eval(const SingleMicrosurface& surface, const glm::dvec3& wi, const g
 double pdf(const SingleMicrosurface& surface, const glm::dvec3& wi, const glm::dvec3& wo);
 
 // A direction of light for a viewer at wo, from u in [0, 1)^3: u.x chooses the stratum of a visible
-// facet and whether a dielectric one refracts, (u.y, u.z) the facet. No weight is above 1, or
-// n(wo)^2 / n(wi)^2 where it is refracted.
+// facet and whether a dielectric one refracts, (u.y, u.z) the facet. No weight is above 1.
 Sample sample(const SingleMicrosurface& surface, const glm::dvec3& wo, const glm::dvec3& u);
 
 // The fractions of light along wo that leave on the side of wo (`direct`, of a conductor `base`)

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL ES 3.10, functions only, for a shader with `precision highp float; precision highp int;`.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 588f75a523f445f5df0a560cc6d1fbc7f3cbd04bf29f909d92b43ee69b559f73.
+// Generated; source sha256 166df0018ef82a7178efb363712f508262dcdcbf92c2005a91168fd4c3355d36.
 //
 // Directions are unit vectors in a local frame whose z is the normal: wi towards the light, wo
 // towards the viewer, wm a facet normal. f is the BSDF per steradian without the cosine; a name
@@ -124,10 +124,8 @@ vec2 lq_cos_sin_turn(float turn) {
     return vec2(cosine, sine);
 }
 
-// Natural logarithm of x in [1/3, 3], to a few roundings: that of some drivers is off by 1e-6.
-// log x = 2 artanh z for z = (x - 1) / (x + 1), |z| <= 1/2, by its Taylor series.
-float lq_log_ratio(float x) {
-    float z = (x - 1.0) / (x + 1.0);
+// 2 artanh z for |z| <= 1/2, by its Taylor series, to a few roundings.
+float lq_twice_artanh(float z) {
     float s = z * z;
     float sum = 0.032258064;
     sum = sum * s + 0.03448276;
@@ -146,6 +144,16 @@ float lq_log_ratio(float x) {
     sum = sum * s + 0.33333334;
     sum = sum * s + 1.0;
     return 2.0 * z * sum;
+}
+
+// Natural logarithm of x in [1/3, 3], to a few roundings: that of some drivers is off by 1e-6.
+float lq_log_ratio(float x) {
+    return lq_twice_artanh((x - 1.0) / (x + 1.0));
+}
+
+// log(1 - y) for y in [0, 2/3], with all its digits near 0.
+float lq_log_complement(float y) {
+    return lq_twice_artanh(-y / (2.0 - y));
 }
 
 // exp(x^2) times the first repeated integral of erfc, for x >= 0, to 3e-7 relative:

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // WGSL, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 b672001f4091e84a880d47b1520e32027de4403159661622273a8f3606d47009.
+// Generated; source sha256 c0b1137050847f1098f4c34d90f5bda167b87d65c219098d4677835d418f3ffb.
 
 const LQ_PI: f32 = 3.1415927;
 const LQ_INVERSE_PI: f32 = 0.31830987;
