@@ -89,7 +89,7 @@ std::vector<NamedMaterial> chosen_materials(const std::vector<std::string>& name
     std::vector<NamedMaterial> materials;
     for (const std::string& name : names) {
         materials.push_back({name, load_material(material_file(name))});
-        require_shadeable(materials.back().material, model);
+        require_model(materials.back().material, model);
     }
     if (names.empty()) materials = bundled_materials(model);
     for (const NamedMaterial& named : materials) require_untextured(named.material);

@@ -9,6 +9,7 @@
 
 #include "cli/material_argument.h"
 #include "core/error.h"
+#include "core/model_scope.h"
 
 namespace lacquer {
 
@@ -32,7 +33,20 @@ Shading open_shading(const ShadingOptions& options) {
     const Model model = model_from_name(options.model);
     const BackendEntry& entry = backend_from_name(options.backend);
     Material material = load_material(material_file(options.material));
+    require_model(material, model);
     return {model, std::move(material), entry.create(options.backend_options)};
+}
+
+void require_model(const Material& material, Model model) {
+    const auto why = why_not_shadeable(material, model);
+    if (!why) return;
+    std::string able;
+    for (const Model other : models_for(material))
+        able += fmt::format("{}{}", able.empty() ? "" : ", ", model_name(other));
+    throw Error{fmt::format("material '{}': {}; {}", material.name, *why,
+                            able.empty() ? "no model can, only the simulator: `lacquer slice` and "
+                                           "`lacquer albedo` with --method simulate"
+                                         : "models that can: " + able)};
 }
 
 void require_untextured(const Material& material) {

@@ -33,7 +33,7 @@ void add_device_options(CLI::App& command, BackendOptions& options);
 void add_shading_options(CLI::App& command, ShadingOptions& options);
 
 // What the options stand for. `open_shading` throws UsageError for names that do not exist, and
-// Error where the material cannot be read or the backend cannot run here.
+// Error where the material cannot be read or shaded, or the backend cannot run here.
 struct Shading {
     Model model;
     Material material;
@@ -41,6 +41,9 @@ struct Shading {
 };
 
 Shading open_shading(const ShadingOptions& options);
+
+// Throws Error saying why the model cannot shade the material, where it cannot, and what can.
+void require_model(const Material& material, Model model);
 
 // Throws Error for a material with textures: only a picture of a surface says where to look.
 void require_untextured(const Material& material);

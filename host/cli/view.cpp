@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/material_argument.h"
@@ -44,15 +45,20 @@ struct Arguments {
     viewer::Options options;
 };
 
-// All bundled materials, and before them the chosen one where it is none of these.
+// All bundled materials that some model can shade, and before them the chosen one where it is none
+// of these.
 void load_materials(const std::string& argument, viewer::Options& options) {
     const std::filesystem::path chosen = material_file(argument);
     std::vector<std::filesystem::path> files = bundled_material_files();
     if (std::ranges::find(files, chosen) == files.end()) files.insert(files.begin(), chosen);
-    options.first_material =
-        static_cast<std::size_t>(std::ranges::find(files, chosen) - files.begin());
-    for (const std::filesystem::path& file : files)
-        options.materials.push_back(load_material(file));
+    for (const std::filesystem::path& file : files) {
+        Material material = load_material(file);
+        if (file == chosen)
+            options.first_material = options.materials.size();
+        else if (models_for(material).empty())
+            continue;
+        options.materials.push_back(std::move(material));
+    }
 }
 
 void run(Arguments& arguments) {
@@ -67,10 +73,9 @@ void run(Arguments& arguments) {
         require_writable(options.screenshot);
     }
     load_materials(arguments.material, options);
-    if (arguments.model) {
-        options.model = model_from_name(*arguments.model);
-        require_shadeable(options.materials[options.first_material], options.model);
-    }
+    if (arguments.model) options.model = model_from_name(*arguments.model);
+    const Material& first = options.materials[options.first_material];
+    if (arguments.model || models_for(first).empty()) require_model(first, options.model);
     viewer::run(options);
 }
 
@@ -84,7 +89,8 @@ void add_view_command(CLI::App& app) {
         ->capture_default_str();
     command
         ->add_option("--model", arguments->model,
-                     "How materials are shaded; those that it cannot shade by 'stack' or 'plain'")
+                     "How materials are shaded; those that it cannot shade by 'stack', 'plain' "
+                     "or what else can")
         ->default_str(std::string{model_name(options.model)});
     add_device_options(*command, arguments->device);
     command

@@ -137,6 +137,13 @@ std::optional<std::string> why_not_shadeable(const Material& material, Model mod
     return fmt::format("{}: the model '{}' {}", refusal->pointer, model_name(model), refusal->why);
 }
 
+std::vector<Model> models_for(const Material& material) {
+    std::vector<Model> models;
+    for (const Model model : all_models())
+        if (!why_not_shadeable(material, model)) models.push_back(model);
+    return models;
+}
+
 void require_shadeable(const Material& material, Model model) {
     if (const auto why = why_not_shadeable(material, model))
         throw Error{fmt::format("material '{}': {}", material.name, *why)};

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <span>
+#include <vector>
 
 #include "backends/pack.h"
 #include "core/model_scope.h"
@@ -54,9 +55,11 @@ std::array<glm::vec4, kSurfaceRows> surface_of(const Material& material, Model m
 }
 
 Model model_for(const Material& material, Model wanted) {
+    const std::vector<Model> models = models_for(material);
     for (const Model model : {wanted, Model::stack})
-        if (!why_not_shadeable(material, model)) return model;
-    return Model::plain;
+        if (std::ranges::find(models, model) != models.end()) return model;
+    if (models.empty()) require_shadeable(material, wanted);
+    return models.front();
 }
 
 Model next_model(const Material& material, Model model) {

@@ -41,7 +41,7 @@ glm::vec3 default_light();
 std::array<glm::vec4, kSurfaceRows> surface_of(const Material& material, Model model);
 
 // `wanted` where it can shade `material`; otherwise `stack`, which leaves nothing out, or `plain`,
-// which can shade anything but blends.
+// or the first that can. Throws Error where no model can.
 Model model_for(const Material& material, Model wanted);
 
 // The model after `model`, of those that can shade `material`.

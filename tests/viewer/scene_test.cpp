@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
+#include <vector>
+
+#include "core/error.h"
+#include "core/model_scope.h"
 
 namespace lacquer::viewer {
 namespace {
@@ -56,19 +59,33 @@ TEST(SphereView, has_unit_light_directions) {
 
 TEST(Models, follow_each_other_as_far_as_they_can_shade_the_material) {
     const Material coated{"coated", 1.0, {Layer{}}, LambertianBase{}, {}};
-    const auto shades_coats = [](Model model) { return model != Model::microsurface_single; };
-    const auto expected = std::ranges::count_if(all_models(), shades_coats);
-    std::vector<Model> seen;
-    for (Model model = Model::plain; std::ssize(seen) < expected; seen.push_back(model))
-        model = next_model(coated, model);
-    EXPECT_EQ(seen.back(), Model::plain);  // round once
-    EXPECT_EQ(std::ssize(std::set<Model>(seen.begin(), seen.end())), expected);
     const Material metal{"metal", 1.0, {}, ConductorBase{{1, 1, 1}, {1, 1, 1}, {}}, {}};
-    for (Model model : all_models()) {
-        EXPECT_NE(model_level(next_model(metal, model)), "coated");
-        EXPECT_EQ(model_for(metal, model), reads_tables(model) ? Model::plain : model);
-        EXPECT_EQ(model_for(coated, model), shades_coats(model) ? model : Model::stack);
+    for (const Material* material : {&coated, &metal}) {
+        const std::vector<Model> able = models_for(*material);
+        std::vector<Model> seen;
+        for (Model model = Model::plain; seen.size() < able.size(); seen.push_back(model))
+            model = next_model(*material, model);
+        EXPECT_EQ(seen.back(), Model::plain);  // round once
+        EXPECT_EQ(std::set<Model>(seen.begin(), seen.end()),
+                  std::set<Model>(able.begin(), able.end()));
     }
+    for (const Model model : all_models()) {
+        const auto shades = [&](const Material& material) {
+            return !why_not_shadeable(material, model);
+        };
+        EXPECT_EQ(model_for(metal, model), shades(metal) ? model : Model::plain);
+        EXPECT_EQ(model_for(coated, model), shades(coated) ? model : Model::stack);
+    }
+}
+
+TEST(Models, that_shade_blends_are_found_for_them) {
+    const Blend worn{
+        Blend::Operator::asymmetric,
+        {{0.5, {Ndf::ggx, {0.1, 0.1}}, {}, {}, {}}, {0.5, {Ndf::ggx, {0.5, 0.5}}, {}, {}, {}}}};
+    const Material metal{"metal", 1.0, {}, ConductorBase{{1, 1, 1}, {1, 1, 1}, worn}, {}};
+    EXPECT_EQ(model_for(metal, Model::coated_exact), Model::microsurface_single);
+    const Material facets{"facets", 1.0, {}, DiffuseFacetsBase{{1, 1, 1}, worn}, {}};
+    EXPECT_THROW(model_for(facets, Model::plain), Error);
 }
 
 TEST(Models, that_shade_one_layer_leave_more_to_the_stack) {

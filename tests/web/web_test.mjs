@@ -7,10 +7,10 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { launchBrowser, servePage } from "./browser.mjs";
+import { blendedMaterials, shownMaterials } from "./materials.mjs";
 import { brightness, largestDifference, readPicture } from "./picture.mjs";
 
 const { LACQUER_PROGRAM, LACQUER_PAGE, LACQUER_CHROMIUM, LACQUER_SCREENSHOT } = process.env;
-const MATERIALS = process.env.LACQUER_MATERIALS.split(",");
 
 const SIZE = 128; // of pictures: a processor draws them, and takes its time for stacks
 const PATIENCE_MS = 120_000;
@@ -21,7 +21,7 @@ const TOLERANCE_LEVELS = 2;
 const FROM_THE_LEFT = "-0.48,0.64,0.6";
 const FROM_BEHIND = "0.8,-0.36,-0.48";
 const PICTURES = [
-    ...MATERIALS.map((material) => [material, "plain", FROM_THE_LEFT]),
+    ...shownMaterials.map((material) => [material, "plain", FROM_THE_LEFT]),
     ...["aluminium", "gold", "porcelain"].map((material) => [material, "plain", FROM_BEHIND]),
     ["red_plastic", "clearcoat", FROM_THE_LEFT],
     ["blue_lacquer", "weidlich-wilkie", FROM_THE_LEFT],
@@ -225,6 +225,22 @@ describe("with WebGPU", () => {
             await notice.innerText(),
             "bad.json: /layers/0/interface/ior: 9 is outside [0.3, 4]",
         );
+        await page.close();
+    });
+
+    test("blended microsurfaces are offered to nobody, and asked for they are a clear message", async () => {
+        assert.notEqual(blendedMaterials.length, 0);
+        const page = await openPage(browser, "?material=gold", DESKTOP);
+        assert.equal(await page.locator("#swatches button").count(), shownMaterials.length);
+        for (const material of blendedMaterials) {
+            await page.goto(`${server.address}?material=${material}`);
+            const shown = page.locator("#failure-message:not(:empty)");
+            await shown.waitFor();
+            assert.match(
+                await shown.innerText(),
+                new RegExp(`^${material}.json: .*: this page does not show blended microsurfaces`),
+            );
+        }
         await page.close();
     });
 

@@ -9,10 +9,11 @@
 //
 // Needs Chromium (LACQUER_CHROMIUM names another than /usr/bin/chromium) and takes minutes without
 // a GPU.
-import { readdirSync, writeFileSync } from "node:fs";
+import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launchBrowser, servePage } from "../../tests/web/browser.mjs";
+import { shownMaterials } from "../../tests/web/materials.mjs";
 import { PNG } from "../../tests/web/packages.mjs";
 
 const FOLDER = import.meta.dirname;
@@ -30,11 +31,6 @@ const FIGURES = {
     figure_4: { panel: "#figure-4 .panel", title: "eta 0.8, alpha 0.1", width: 846 },
     figure_13: { panel: "#figure-13 .panel", title: "In the studio", width: 760 },
 };
-
-function bundledMaterials() {
-    const files = readdirSync(join(PROJECT, "tables/materials"));
-    return files.filter((file) => file.endsWith(".json")).map((file) => file.slice(0, -5)).sort();
-}
 
 // The sphere of `material` in the model that the page chooses, on nothing.
 async function sphereOf(browser, address, material) {
@@ -70,12 +66,11 @@ function paint(sheet, sphere, left, top) {
 
 async function materialsSheet(browser) {
     const server = await servePage(join(PROJECT, "build/release/web"));
-    const materials = bundledMaterials();
     const rowHeight = Math.round((SPACING * Math.sqrt(3)) / 2);
-    const lastRow = placeOf(materials.length - 1).row;
+    const lastRow = placeOf(shownMaterials.length - 1).row;
     const sheet = new PNG({ width: COLUMNS * SPACING, height: lastRow * rowHeight + SPACING });
     const margin = (SPACING - SPHERE) / 2;
-    for (const [index, material] of materials.entries()) {
+    for (const [index, material] of shownMaterials.entries()) {
         const { row, column } = placeOf(index);
         const sphere = await sphereOf(browser, server.address, material);
         paint(sheet, sphere, column * SPACING + margin, row * rowHeight + margin);

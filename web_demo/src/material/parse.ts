@@ -42,7 +42,7 @@ function parseJson(text: string, origin: string): Place {
 
 function readMicrosurface(place: Place): Microsurface {
     if (place.find("blend") !== undefined) {
-        place.fail("this page does not show blended microsurfaces");
+        place.notShown("this page does not show blended microsurfaces");
     }
     const alpha: Place = place.member("alpha");
     const [x, y = x, ...rest] = alpha.isArray() ? alpha.elements() : [alpha];

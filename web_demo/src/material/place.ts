@@ -5,6 +5,9 @@ import type { Range } from "./ranges";
 
 export class MaterialError extends Error {}
 
+// A material that is well described, and that the page does not show.
+export class NotShownError extends MaterialError {}
+
 function isObject(value: unknown): value is Record<string, unknown> {
     return typeof value === "object" && value !== null && !Array.isArray(value);
 }
@@ -17,7 +20,11 @@ export class Place {
     ) {}
 
     fail(problem: string): never {
-        throw new MaterialError(`${this.origin}: ${this.pointer || "/"}: ${problem}`);
+        throw new MaterialError(this.message(problem));
+    }
+
+    notShown(problem: string): never {
+        throw new NotShownError(this.message(problem));
     }
 
     isString(): boolean {
@@ -65,7 +72,7 @@ export class Place {
 
     number(range: Range): number {
         if (isObject(this.value) && "texture" in this.value) {
-            this.fail("this page does not show textures");
+            this.notShown("this page does not show textures");
         }
         if (typeof this.value !== "number") {
             this.fail(`${this.text()} is not a number`);
@@ -82,6 +89,10 @@ export class Place {
             this.fail("expected three numbers: red, green, blue");
         }
         return [r.number(range), g.number(range), b.number(range)];
+    }
+
+    private message(problem: string): string {
+        return `${this.origin}: ${this.pointer || "/"}: ${problem}`;
     }
 
     private object(): Record<string, unknown> {
