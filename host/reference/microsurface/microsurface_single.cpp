@@ -78,12 +78,11 @@ Turned turned(const SingleMicrosurface& surface, const glm::dvec3& wi, const glm
     return {};
 }
 
-// What light along w loses in the medium below.
+}  // namespace
+
 glm::dvec3 crossing(const SingleMicrosurface& surface, const glm::dvec3& w) {
     return is_below(w) ? glm::pow(surface.tau, glm::dvec3{1.0 / -w.z}) : glm::dvec3{1.0};
 }
-
-}  // namespace
 
 SingleMicrosurface prepare_microsurface_single(const Material& material) {
     require_shadeable(material, Model::microsurface_single);
