@@ -26,6 +26,7 @@
 #include "clearcoat/clearcoat.glsl"
 #include "coated/coated.glsl"
 #include "microsurface_single/microsurface_single.glsl"
+#include "microsurface_stochastic/microsurface_stochastic.glsl"
 #include "openpbr_coat/openpbr_coat.glsl"
 #include "plain/plain.glsl"
 #include "stack/stack.glsl"
