@@ -21,8 +21,8 @@ using simulator::StackWalk;
 // Standard errors that a mean of so many values is off by no more than once in 16,000 times.
 constexpr double kErrors = 4.0;
 
-// Of f: light that a walk from one end finds so rarely that its standard error is a guess. The
-// light tested is a hundred times as strong.
+// Of f: light that a walk from one end, as the simulator's, finds so rarely that its standard error
+// is a guess. Weaker light is not tested here.
 constexpr double kRareLight = 1e-4;
 
 // Mean and variance of values as they come.
