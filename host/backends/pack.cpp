@@ -21,6 +21,7 @@ std::size_t surface_rows(Model model) {
         case Model::stack_symmetric:
             return kStackRows;
         case Model::microsurface_single:
+        case Model::microsurface_compensated:
             return kMicrosurfaceRows;
     }
     return 0;
@@ -51,7 +52,8 @@ std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> mate
                 rows.insert(rows.end(), packed.begin(), packed.end());
                 break;
             }
-            case Model::microsurface_single: {
+            case Model::microsurface_single:
+            case Model::microsurface_compensated: {
                 const auto packed = pack_microsurface(material, model);
                 rows.insert(rows.end(), packed.begin(), packed.end());
             }

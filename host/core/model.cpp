@@ -29,6 +29,8 @@ constexpr std::array kEntries{
     ModelEntry{Model::stack, "stack", "stack", true},
     ModelEntry{Model::stack_symmetric, "stack-symmetric", "stack_symmetric", true},
     ModelEntry{Model::microsurface_single, "microsurface-single", "microsurface_single"},
+    ModelEntry{Model::microsurface_compensated, "microsurface-compensated",
+               "microsurface_compensated"},
 };
 
 constexpr auto kModels = [] {

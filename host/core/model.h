@@ -16,6 +16,7 @@ enum class Model {
     stack,                // any number of layers over any base, with all light between them
     stack_symmetric,      // the same, the same when light and viewer change places
     microsurface_single,  // one rough surface, uniform or blended: what meets one facet
+    microsurface_compensated,  // the same, with what meets several facets as a diffuse lobe
 };
 
 // The name on the command line, in JSON and in file names of shader variants.

@@ -38,6 +38,7 @@ Scope scope_of(Model model) {
         case Model::stack_symmetric:
             return {Extra::shaded, Extra::shaded, false, true};
         case Model::microsurface_single:
+        case Model::microsurface_compensated:
             return {Extra::refused, Extra::refused, false, false, true};
     }
     return {Extra::refused, Extra::refused};

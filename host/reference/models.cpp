@@ -5,6 +5,7 @@
 #include "core/paths.h"
 #include "reference/clearcoat.h"
 #include "reference/coated.h"
+#include "reference/microsurface/microsurface_compensated.h"
 #include "reference/microsurface/microsurface_single.h"
 #include "reference/openpbr_coat.h"
 #include "reference/plain.h"
@@ -67,6 +68,8 @@ std::shared_ptr<const Shading> prepare(const Material& material, Model model) {
             return shading(prepare_stack(material, shipped_tables(), StackLobes::symmetric));
         case Model::microsurface_single:
             return shading(prepare_microsurface_single(material));
+        case Model::microsurface_compensated:
+            return shading(prepare_microsurface_compensated(material));
     }
     return nullptr;
 }

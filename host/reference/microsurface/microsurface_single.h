@@ -1,30 +1,19 @@
 // The model `microsurface-single` in double precision: one rough surface, uniform or not, that
 // reflects or refracts what meets one of its facets; what meets more is left out.
 // Based on: d'Eon et al. 2023, Microfacet Theory for Non-Uniform Heightfields
-//
-// Directions to the light and to the viewer may be on either side of a dielectric surface, whose
-// medium has one boundary: crossing it absorbs. f is for radiance over the square of the index,
-// which refraction keeps: f(wi, wo) / n(wi)^2 is symmetric, n(w) the index on the side of w.
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <optional>
 
 #include "lacquer/material.h"
-#include "reference/microsurface/single_scattering.h"
+#include "reference/microsurface/rough_surface.h"
 #include "reference/shading.h"
 
 namespace lacquer::reference {
 
-struct SingleMicrosurface {
-    RoughSide above;
-    std::optional<RoughSide> below;  // of a dielectric surface
-    glm::dvec3 tau{1.0};             // the medium's transmittance along the normal
-    bool is_there = true;            // a surface between equal indices is not
-};
+struct SingleMicrosurface : RoughSurface {};
 
-// Throws Error naming the JSON pointer of what the model cannot shade: anything but one interface
-// without a base or a bare conductor, diffuse strata, a medium that scatters.
+// Throws Error as rough_surface does.
 SingleMicrosurface prepare_microsurface_single(const Material& material);
 
 // What light along w, on its way to or from the surface, is left with by the medium below.
