@@ -29,6 +29,9 @@ constexpr std::array kLevels{
     Level{"microsurface_single", "microsurface_single/microsurface_single.glsl",
           "LQ_MODEL_MICROSURFACE_SINGLE",
           "facets of several strata, one above the other or mixed: light that met one of them"},
+    Level{"microsurface_compensated", "microsurface_compensated/microsurface_compensated.glsl",
+          "LQ_MODEL_MICROSURFACE_COMPENSATED",
+          "the same strata, with the light that met several facets as a diffuse lobe"},
 };
 
 struct StageEntry {

@@ -25,6 +25,7 @@
 // Levels:
 #include "clearcoat/clearcoat.glsl"
 #include "coated/coated.glsl"
+#include "microsurface_compensated/microsurface_compensated.glsl"
 #include "microsurface_single/microsurface_single.glsl"
 #include "microsurface_stochastic/microsurface_stochastic.glsl"
 #include "openpbr_coat/openpbr_coat.glsl"

@@ -21,8 +21,9 @@ std::size_t surface_rows(Model model) {
         case Model::stack_symmetric:
             return kStackRows;
         case Model::microsurface_single:
-        case Model::microsurface_compensated:
             return kMicrosurfaceRows;
+        case Model::microsurface_compensated:
+            return kMicrosurfaceRows + kSeveralFacetsRows;
     }
     return 0;
 }
@@ -52,10 +53,16 @@ std::vector<glm::vec4> pack_surfaces(Model model, std::span<const Material> mate
                 rows.insert(rows.end(), packed.begin(), packed.end());
                 break;
             }
-            case Model::microsurface_single:
-            case Model::microsurface_compensated: {
+            case Model::microsurface_single: {
                 const auto packed = pack_microsurface(material, model);
                 rows.insert(rows.end(), packed.begin(), packed.end());
+                break;
+            }
+            case Model::microsurface_compensated: {
+                const auto packed = pack_microsurface(material, model);
+                const auto several = pack_several_facets(material, model);
+                rows.insert(rows.end(), packed.begin(), packed.end());
+                rows.insert(rows.end(), several.begin(), several.end());
             }
         }
     }

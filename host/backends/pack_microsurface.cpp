@@ -22,4 +22,9 @@ std::array<glm::vec4, kMicrosurfaceRows> pack_microsurface(const Material& mater
     return rows;
 }
 
+std::array<glm::vec4, kSeveralFacetsRows> pack_several_facets(const Material& material,
+                                                              Model model) {
+    return several_facets_rows(microsurface_parameters(as_shaders_read(material), model));
+}
+
 }  // namespace lacquer

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lacquer/bsdf.h"
-#include "shading/microsurface_parameters.h"
+#include "shading/microsurface_material.h"
 #include "shading/one_coat_parameters.h"
 #include "shading/stack_parameters.h"
 
@@ -40,15 +40,6 @@ struct Bsdf<Real>::Shading : std::enable_shared_from_this<Shading> {
 #pragma GCC diagnostic pop
 
 namespace {
-
-Vec3<Real> to_vector(const Rgb& rgb) {
-    return {static_cast<Real>(rgb[0]), static_cast<Real>(rgb[1]), static_cast<Real>(rgb[2])};
-}
-
-shader::LqFacets to_facets(const Microsurface& microsurface) {
-    return {microsurface.ndf == Ndf::beckmann ? shader::LQ_NDF_BECKMANN : shader::LQ_NDF_GGX,
-            static_cast<Real>(microsurface.alpha[0]), static_cast<Real>(microsurface.alpha[1])};
-}
 
 shader::LqOneCoat to_one_coat(const OneCoatParameters& parameters) {
     return {to_facets(parameters.coat),          static_cast<Real>(parameters.coat_eta),
@@ -210,24 +201,6 @@ using StackSymmetricFunctions =
                      shader::lq_stack_symmetric_albedo, shader::lq_stack_symmetric_view,
                      shader::lq_stack_symmetric_view_eval_cos>;
 
-shader::LqMicrosurface to_microsurface(const MicrosurfaceParameters& parameters) {
-    const auto stratum = [&](std::size_t k) -> shader::LqStratum {
-        if (k >= parameters.strata.size()) return {{0, Real{1}, Real{1}}, Real{0}, {}, {}};
-        const MicrosurfaceParameters::Stratum& own = parameters.strata[k];
-        return {to_facets(own.microsurface), static_cast<Real>(own.weight), to_vector(own.eta),
-                to_vector(own.kappa)};
-    };
-    const bool is_mixed = parameters.op == Blend::Operator::symmetric;
-    return {is_mixed ? shader::LQ_BLEND_SYMMETRIC : shader::LQ_BLEND_ASYMMETRIC,
-            static_cast<int>(parameters.strata.size()),
-            static_cast<Real>(parameters.eta),
-            to_vector(parameters.optical_depth),
-            stratum(0),
-            stratum(1),
-            stratum(2),
-            stratum(3)};
-}
-
 std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, Model model) {
     using namespace shader;
     if (model == Model::stack)
@@ -240,6 +213,16 @@ std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, 
                                lq_microsurface_single_pdf, lq_microsurface_single_sample,
                                lq_microsurface_single_albedo>>(
             lq_microsurface_prepare(to_microsurface(microsurface_parameters(material, model))));
+    if (model == Model::microsurface_compensated) {
+        const LqMicrosurfaceMaterial surface =
+            to_microsurface(microsurface_parameters(material, model));
+        return level<
+            Functions<lq_microsurface_compensated_eval, lq_microsurface_compensated_eval_cos,
+                      lq_microsurface_compensated_pdf, lq_microsurface_compensated_sample,
+                      lq_microsurface_compensated_albedo>>(
+            lq_microsurface_compensated_prepare(
+                surface, lq_several_facets(lq_microsurface_prepare(surface))));
+    }
     const OneCoatParameters parameters = one_coat_parameters(material, model);
     const LqOneCoat surface = to_one_coat(parameters);
     switch (model) {
@@ -266,6 +249,7 @@ std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, 
         case Model::stack:
         case Model::stack_symmetric:
         case Model::microsurface_single:
+        case Model::microsurface_compensated:
             break;
     }
     return nullptr;

@@ -8,7 +8,7 @@
 
 namespace lacquer {
 
-// LqMicrosurface of shader_src/microsurface_single/surface.glsl in double, before clamping.
+// LqMicrosurfaceMaterial of shader_src/microsurface/rough_surface.glsl in double, before clamping.
 struct MicrosurfaceParameters {
     struct Stratum {
         Microsurface microsurface;

@@ -15,6 +15,9 @@ const float LQ_MIN_ETA = 0.333333333333333;
 const float LQ_MAX_ETA = 3.0;
 const float LQ_MAX_CONDUCTOR_INDEX = 40.0;
 
+// exp(-80) is the smallest transmittance whose products are still normal floats.
+const float LQ_MAX_OPTICAL_DEPTH = 80.0;
+
 // Below this a denominator that is a product of two cosines is raised, so that directions within
 // 1e-15 of the horizon give a large value instead of infinity.
 const float LQ_MIN_COSINE_PRODUCT = 1.0e-30;

@@ -2,11 +2,11 @@
 #ifndef LQ_KERNELS_MICROSURFACE_ROWS_GLSL
 #define LQ_KERNELS_MICROSURFACE_ROWS_GLSL
 
-#include "../microsurface_single/surface.glsl"
+#include "../microsurface/rough_surface.glsl"
 
 // Rows: (blend, stratum count, eta, 0), (optical depth, 0); then for each of LQ_MAX_STRATA
 // (alpha x, y, weight, ndf), (eta, 0) and (kappa, 0).
-#define LQ_MODEL_ROWS 14u
+#define LQ_MICROSURFACE_ROWS 14u
 
 LqStratum lq_stratum_unpack(const uint first) {
     const vec4 facets = lq_packed_row(first);
@@ -17,10 +17,10 @@ LqStratum lq_stratum_unpack(const uint first) {
 }
 
 // The surface whose rows begin at `first`.
-LqMicrosurface lq_microsurface_unpack(const uint first) {
+LqMicrosurfaceMaterial lq_microsurface_unpack(const uint first) {
     const vec4 head = lq_packed_row(first);
     const vec4 depth = lq_packed_row(first + 1u);
-    return LqMicrosurface(int(head.x), int(head.y), head.z, vec3(depth.x, depth.y, depth.z),
+    return LqMicrosurfaceMaterial(int(head.x), int(head.y), head.z, vec3(depth.x, depth.y, depth.z),
                           lq_stratum_unpack(first + 2u), lq_stratum_unpack(first + 5u),
                           lq_stratum_unpack(first + 8u), lq_stratum_unpack(first + 11u));
 }

@@ -11,6 +11,9 @@
 #ifdef LQ_MODEL_MICROSURFACE_SINGLE
 #include "model_microsurface_single.glsl"
 #endif
+#ifdef LQ_MODEL_MICROSURFACE_COMPENSATED
+#include "model_microsurface_compensated.glsl"
+#endif
 #ifdef LQ_MODEL_PLAIN
 #include "model_plain.glsl"
 #endif

@@ -5,6 +5,8 @@
 #include "../microsurface_single/microsurface_single.glsl"
 #include "microsurface_rows.glsl"
 
+#define LQ_MODEL_ROWS LQ_MICROSURFACE_ROWS
+
 #define LqModelSurface LqMicrosurfaceSurface
 #define lq_model_eval lq_microsurface_single_eval
 #define lq_model_eval_cos lq_microsurface_single_eval_cos

@@ -90,8 +90,7 @@ float lq_visible_density(const LqStrata strata, const vec3 wo, const vec3 wm) {
     return density;
 }
 
-// Lambda as lq_beta_between takes it, and what is divided by it there as it is divided here by both
-// cosines: at grazing, where Lambda is out of range, that stays finite.
+// Lambda as lq_beta_between takes it.
 float lq_beta_lambda(const float projected_lambda, const float cosine) {
     return min(projected_lambda / max(cosine, LQ_MIN_COSINE_PRODUCT), LQ_MAX_BETA_LAMBDA);
 }
@@ -115,6 +114,8 @@ float lq_visible_through(const LqStrata strata, const int n, const float lambda_
     const LqPlacedStratum stratum = lq_stratum_at(strata, n);
     const float up = lq_beta_lambda(lambda_up, wo.z);
     const float downwards = lq_beta_lambda(lambda_down, down.z);
+    // The integral falls like 1 / (1 + Lambda) each: over both cosines that stays finite at grazing,
+    // where Lambda is out of range.
     const float scale = (1.0 + up) * (1.0 + downwards) /
                         max((wo.z + lambda_up) * (down.z + lambda_down), LQ_MIN_COSINE_PRODUCT);
     if (strata.blend == LQ_BLEND_SYMMETRIC) {

@@ -37,7 +37,7 @@ struct LqPlacedStratum {
     vec3 kappa;
 };
 
-// `count` strata from the top down, in [1, LQ_MAX_STRATA]; those beyond are as the last.
+// `count` strata from the top down, in [1, LQ_MAX_STRATA]; those beyond are not read.
 struct LqStrata {
     int blend;
     int count;

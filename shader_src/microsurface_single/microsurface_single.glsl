@@ -7,40 +7,9 @@
 #ifndef LQ_MICROSURFACE_SINGLE_MICROSURFACE_SINGLE_GLSL
 #define LQ_MICROSURFACE_SINGLE_MICROSURFACE_SINGLE_GLSL
 
-#include "../core/frame.glsl"
 #include "../core/sampling.glsl"
 #include "../core/shading.glsl"
-#include "surface.glsl"
-
-vec3 lq_mirrored(const vec3 w) {
-    return vec3(w.x, w.y, -w.z);
-}
-
-// Where there is a surface for light along wo, from above or, of facets that refract, from below.
-bool lq_microsurface_is_met(const LqMicrosurfaceSurface surface, const vec3 wo) {
-    const bool refracts = surface.above.eta > 0.0;
-    return surface.is_there && (lq_is_above(wo) || (refracts && lq_is_above(lq_mirrored(wo))));
-}
-
-LqRoughSide lq_microsurface_side(const LqMicrosurfaceSurface surface, const vec3 wo) {
-    if (wo.z < 0.0) {
-        return lq_rough_side_turned_over(surface.above);
-    }
-    return surface.above;
-}
-
-// w as seen from the side of wo: above there.
-vec3 lq_microsurface_frame(const vec3 w, const vec3 wo) {
-    return vec3(w.x, w.y, wo.z < 0.0 ? -w.z : w.z);
-}
-
-// What light along w leaves of itself to the medium below.
-vec3 lq_microsurface_crossing(const LqMicrosurfaceSurface surface, const vec3 w) {
-    if (w.z >= 0.0) {
-        return vec3(1.0);
-    }
-    return exp(surface.optical_depth / min(w.z, -LQ_MIN_COSINE_PRODUCT));
-}
+#include "../microsurface/rough_surface.glsl"
 
 // f(wi, wo), per steradian.
 vec3 lq_microsurface_single_eval(const LqMicrosurfaceSurface surface, const vec3 wi,

@@ -10,9 +10,6 @@ const int LQ_BASE_NONE = 0;
 const int LQ_BASE_LAMBERTIAN = 1;
 const int LQ_BASE_CONDUCTOR = 2;
 
-// exp(-80) is the smallest transmittance whose products are still normal floats.
-const float LQ_MAX_OPTICAL_DEPTH = 80.0;
-
 // `coat_eta` is the ior of the coat over that of the exterior, and 0 where there is no coat.
 // `optical_depth` is that of the coat's medium along the normal, -log(tau): a logarithm taken on
 // the host costs no digits here. `base` is one of LQ_BASE_*; `albedo` is read for a Lambertian

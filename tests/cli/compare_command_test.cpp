@@ -40,7 +40,8 @@ TEST(CompareCommand, PassesTheShaderSourceAsCpp) {
 
 // The coated models shade no metal, and that of one surface no coat.
 std::string shaded_by(Model model) {
-    if (model == Model::microsurface_single) return "gold";
+    if (model == Model::microsurface_single || model == Model::microsurface_compensated)
+        return "gold";
     return reads_tables(model) ? "porcelain" : "lacquered_copper";
 }
 

@@ -1,17 +1,15 @@
 // One rough surface of up to LQ_MAX_STRATA strata of facets: a bare conductor, or an interface with
 // light on both sides.
-#ifndef LQ_MICROSURFACE_SINGLE_SURFACE_GLSL
-#define LQ_MICROSURFACE_SINGLE_SURFACE_GLSL
+#ifndef LQ_MICROSURFACE_ROUGH_SURFACE_GLSL
+#define LQ_MICROSURFACE_ROUGH_SURFACE_GLSL
 
-#include "../microsurface/single_scattering.glsl"
-
-// exp(-80) is the smallest transmittance whose products are still normal floats.
-const float LQ_MAX_CROSSED_DEPTH = 80.0;
+#include "../core/frame.glsl"
+#include "single_scattering.glsl"
 
 // `blend` one of LQ_BLEND_*; `count` strata from the top down, whose weights add up to 1: the last
 // takes the rest. `eta` = index below over index above in [1/3, 3] of facets that refract, 0 of a
 // conductor. `optical_depth` >= 0 of the medium below, along the normal.
-struct LqMicrosurface {
+struct LqMicrosurfaceMaterial {
     int blend;
     int count;
     float eta;
@@ -35,7 +33,7 @@ bool lq_is_same_metal(const LqPlacedStratum a, const LqPlacedStratum b) {
 }
 
 // The surface for shading: call it once per shading point. What is out of range is clamped.
-LqMicrosurfaceSurface lq_microsurface_prepare(const LqMicrosurface material) {
+LqMicrosurfaceSurface lq_microsurface_prepare(const LqMicrosurfaceMaterial material) {
     const int count = clamp(material.count, 1, LQ_MAX_STRATA);
     // C of the boundaries below the first three strata; 0 is the lowest.
     const float second =
@@ -55,9 +53,40 @@ LqMicrosurfaceSurface lq_microsurface_prepare(const LqMicrosurface material) {
         (count < 3 || lq_is_same_metal(surface.above.strata.first, surface.above.strata.third)) &&
         (count < 4 || lq_is_same_metal(surface.above.strata.first, surface.above.strata.fourth));
     surface.optical_depth =
-        clamp(material.optical_depth, vec3(0.0), vec3(LQ_MAX_CROSSED_DEPTH));
+        clamp(material.optical_depth, vec3(0.0), vec3(LQ_MAX_OPTICAL_DEPTH));
     surface.is_there = surface.above.eta != 1.0;
     return surface;
+}
+
+// A direction in the frame of the other side.
+vec3 lq_mirrored(const vec3 w) {
+    return vec3(w.x, w.y, -w.z);
+}
+
+// Where there is a surface for light along wo, from above or, of facets that refract, from below.
+bool lq_microsurface_is_met(const LqMicrosurfaceSurface surface, const vec3 wo) {
+    const bool refracts = surface.above.eta > 0.0;
+    return surface.is_there && (lq_is_above(wo) || (refracts && lq_is_above(lq_mirrored(wo))));
+}
+
+LqRoughSide lq_microsurface_side(const LqMicrosurfaceSurface surface, const vec3 wo) {
+    if (wo.z < 0.0) {
+        return lq_rough_side_turned_over(surface.above);
+    }
+    return surface.above;
+}
+
+// w as seen from the side of wo: above there.
+vec3 lq_microsurface_frame(const vec3 w, const vec3 wo) {
+    return vec3(w.x, w.y, wo.z < 0.0 ? -w.z : w.z);
+}
+
+// What light along w leaves of itself to the medium below.
+vec3 lq_microsurface_crossing(const LqMicrosurfaceSurface surface, const vec3 w) {
+    if (w.z >= 0.0) {
+        return vec3(1.0);
+    }
+    return exp(surface.optical_depth / min(w.z, -LQ_MIN_COSINE_PRODUCT));
 }
 
 #endif
