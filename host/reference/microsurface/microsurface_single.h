@@ -16,9 +16,6 @@ struct SingleMicrosurface : RoughSurface {};
 // Throws Error as rough_surface does.
 SingleMicrosurface prepare_microsurface_single(const Material& material);
 
-// What light along w, on its way to or from the surface, is left with by the medium below.
-glm::dvec3 crossing(const SingleMicrosurface& surface, const glm::dvec3& w);
-
 // f(wi, wo), per steradian, of reflection or, with the directions on both sides, of refraction; 0
 // along the surface and between equal indices, where light goes straight on.
 glm::dvec3 eval(const SingleMicrosurface& surface, const glm::dvec3& wi, const glm::dvec3& wo);
