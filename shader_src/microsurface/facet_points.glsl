@@ -9,15 +9,16 @@
 #include "../core/math.glsl"
 #include "../microfacet/facets.glsl"
 
-// Rays, two in each quarter of the azimuths; as many where they end at the critical angle.
-const int LQ_FACET_RAYS = 4;
-const int LQ_FACET_HEIGHTS = 5;
+// Rays, four in each quarter of the azimuths; and where azimuths end at the critical angle.
+const int LQ_FACET_RAYS = 8;
+const int LQ_CONE_RAYS = 4;
+const int LQ_FACET_HEIGHTS = 6;
 
 // Above the facets that mirror to the horizon.
 const int LQ_STEEP_HEIGHTS = 2;
 
-// Beyond, at a slope of 3.4 alpha, Beckmann's distribution has nothing left that counts.
-const float LQ_BECKMANN_HEIGHT = 0.75;
+// Beyond, at a slope of 2.9 alpha, Beckmann's distribution has nothing left that counts.
+const float LQ_BECKMANN_HEIGHT = 0.71;
 
 // A facet, and its part of the integral over wm of D(wm) dot(w, wm) / cos_theta.
 struct LqFacetPoint {
@@ -48,15 +49,15 @@ vec2 lq_gauss_four(const int n) {
     return vec2(sign * 0.339981043584856, 0.652145154862546);
 }
 
-vec2 lq_gauss_five(const int n) {
-    const float sign = n < 2 ? -1.0 : 1.0;
-    if (n == 0 || n == 4) {
-        return vec2(sign * 0.906179845938664, 0.236926885056189);
+vec2 lq_gauss_six(const int n) {
+    const float sign = n < 3 ? -1.0 : 1.0;
+    if (n == 0 || n == 5) {
+        return vec2(sign * 0.932469514203152, 0.17132449237917);
     }
-    if (n == 1 || n == 3) {
-        return vec2(sign * 0.538469310105683, 0.478628670499366);
+    if (n == 1 || n == 4) {
+        return vec2(sign * 0.661209386466265, 0.360761573048139);
     }
-    return vec2(0.0, 0.568888888888889);
+    return vec2(sign * 0.238619186083197, 0.467913934572691);
 }
 
 float lq_facet_height(const float steepness) {
@@ -73,13 +74,27 @@ LqFacetRay lq_facet_ray_at(const LqFacets facets, const vec3 w, const float cosi
     return LqFacetRay(unit, stretch, (unit.x * w.x + unit.y * w.y) / stretch, weight);
 }
 
+// (cos, sin) of point n of that rule over a quarter of the azimuths.
+vec2 lq_quarter_azimuth(const int n) {
+    if (n == 0) {
+        return vec2(0.994058492765765, 0.108847200057032);
+    }
+    if (n == 1) {
+        return vec2(0.86862413778796, 0.495471600853291);
+    }
+    if (n == 2) {
+        return vec2(0.495471600853291, 0.86862413778796);
+    }
+    return vec2(0.108847200057032, 0.994058492765765);
+}
+
 // One of LQ_FACET_RAYS over all azimuths.
 LqFacetRay lq_facet_ray(const LqFacets facets, const vec3 w, const int n) {
-    const float flat_part = 0.945409208087977;
-    const float steep_part = 0.325885607633206;
-    const float cosine = n == 0 || n == 3 ? flat_part : steep_part;
-    const float sine = n == 0 || n == 3 ? steep_part : flat_part;
-    return lq_facet_ray_at(facets, w, n < 2 ? cosine : -cosine, sine, 0.5 * LQ_PI);
+    const bool is_back = n > 3;
+    const int point = is_back ? n - 4 : n;
+    const vec2 azimuth = lq_quarter_azimuth(point);
+    return lq_facet_ray_at(facets, w, is_back ? -azimuth.x : azimuth.x, azimuth.y,
+                           0.5 * LQ_PI * lq_gauss_four(point).y);
 }
 
 // Height of facets that mirror w to the horizon.
@@ -128,7 +143,7 @@ LqFacetPoint lq_facet_point(const LqFacets facets, const vec3 w, const LqFacetRa
 // The point `n` among those of facets that mirror w to above the surface; of LQ_FACET_HEIGHTS.
 LqFacetPoint lq_facet_point_mirroring_up(const LqFacets facets, const vec3 w, const LqFacetRay ray,
                                          const int n) {
-    return lq_facet_point(facets, w, ray, 0.0, lq_horizon_height(ray, w), lq_gauss_five(n));
+    return lq_facet_point(facets, w, ray, 0.0, lq_horizon_height(ray, w), lq_gauss_six(n));
 }
 
 // Of those that mirror it down, to other facets; of LQ_STEEP_HEIGHTS.
@@ -138,7 +153,11 @@ LqFacetPoint lq_facet_point_mirroring_down(const LqFacets facets, const vec3 w,
                           lq_gauss_two(n));
 }
 
-// One of LQ_FACET_RAYS over the azimuths of facets that w meets below the critical angle.
+// How many rays there are over the azimuths of facets that w meets below the critical angle.
+int lq_rays_within(const vec3 w, const float critical_cosine) {
+    return w.z >= critical_cosine ? LQ_FACET_RAYS : LQ_CONE_RAYS;
+}
+
 LqFacetRay lq_facet_ray_within(const LqFacets facets, const vec3 w, const float critical_cosine,
                                const int n) {
     if (w.z >= critical_cosine) {
@@ -178,7 +197,7 @@ LqFacetPoint lq_facet_point_within(const LqFacets facets, const vec3 w, const Lq
     if (across > 0.0) {
         high = lq_facet_height(steep / across / ray.stretch);
     }
-    return lq_facet_point(facets, w, ray, low, high, lq_gauss_five(n));
+    return lq_facet_point(facets, w, ray, low, high, lq_gauss_six(n));
 }
 
 #endif

@@ -79,7 +79,7 @@ LqLeftOver lq_left_by_mirrors(const LqRoughSide side, const int n, const vec3 w)
             const float low = is_steep ? horizon : 0.0;
             const float high = is_steep ? lq_grazed_height(ray, w) : horizon;
             const vec2 steep_rule = lq_gauss_two(max(level - LQ_FACET_HEIGHTS, 0));
-            const vec2 flat_rule = lq_gauss_five(min(level, LQ_FACET_HEIGHTS - 1));
+            const vec2 flat_rule = lq_gauss_six(min(level, LQ_FACET_HEIGHTS - 1));
             const vec2 rule = vec2(is_steep ? steep_rule.x : flat_rule.x,
                                    is_steep ? steep_rule.y : flat_rule.y);
             const LqFacetPoint point = lq_facet_point(stratum.facets, w, ray, low, high, rule);
@@ -122,18 +122,19 @@ float lq_sent_by_interfaces(const LqRoughSide side, const int n, const vec3 w) {
                 sent += lq_through_instead(side, n, w, point, true);
             }
         }
-        if (is_dense) {
-            const LqFacetRay inner = lq_facet_ray_within(facets, w, critical_cosine, around);
-            for (int cone = 0; cone < LQ_FACET_HEIGHTS; cone++) {
-                sent += lq_through_instead(
-                    side, n, w, lq_facet_point_within(facets, w, inner, critical_cosine, cone),
-                    true);
-            }
-        } else {
+        if (!is_dense) {
             for (int steep = 0; steep < LQ_STEEP_HEIGHTS; steep++) {
                 sent += lq_through_instead(
                     side, n, w, lq_facet_point_mirroring_down(facets, w, ray, steep), false);
             }
+        }
+    }
+    const int inner_rays = is_dense ? lq_rays_within(w, critical_cosine) : 0;
+    for (int inside = 0; inside < inner_rays; inside++) {
+        const LqFacetRay inner = lq_facet_ray_within(facets, w, critical_cosine, inside);
+        for (int cone = 0; cone < LQ_FACET_HEIGHTS; cone++) {
+            sent += lq_through_instead(
+                side, n, w, lq_facet_point_within(facets, w, inner, critical_cosine, cone), true);
         }
     }
     return sent;

@@ -182,8 +182,8 @@ LqSeveralFacetsSide lq_several_facets_side(const LqRoughSide side, const LqTurni
 float lq_average_fresnel(const float eta) {
     float sum = 0.0;
     for (int half_range = 0; half_range < 4; half_range++) {
-        for (int at = 0; at < 5; at++) {
-            const vec2 rule = lq_gauss_five(at);
+        for (int at = 0; at < 6; at++) {
+            const vec2 rule = lq_gauss_six(at);
             const float cosine = 0.125 * (2.0 * float(half_range) + 1.0 + rule.x);
             sum += 0.125 * rule.y * 2.0 * cosine * lq_fresnel_dielectric(cosine, eta);
         }

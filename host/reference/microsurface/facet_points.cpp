@@ -15,10 +15,10 @@ namespace {
 using std::numbers::pi;
 
 // Towards w and away from it, each.
-constexpr unsigned kQuarterAzimuths = 2;
+constexpr unsigned kQuarterAzimuths = 4;
 // Where the azimuths end at the cone of the critical angle.
 constexpr unsigned kConeAzimuths = 4;
-constexpr unsigned kHeights = 5;
+constexpr unsigned kHeights = 6;
 constexpr unsigned kSteepHeights = 2;
 
 // at(x, weight) for Gauss and Legendre's points of an integral from low to high.
@@ -39,9 +39,9 @@ double height_of(double steepness) {
     return std::isinf(steepness) ? 1.0 : steepness / (1.0 + std::hypot(1.0, steepness));
 }
 
-// Beyond, at a slope of 3.4 alpha, Beckmann's distribution has nothing left that counts, and points
+// Beyond, at a slope of 2.9 alpha, Beckmann's distribution has nothing left that counts, and points
 // there would be wasted.
-constexpr double kBeckmannHeight = 0.75;
+constexpr double kBeckmannHeight = 0.71;
 
 // Facets whose slope is along one azimuth.
 struct Ray {
