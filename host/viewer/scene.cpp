@@ -56,7 +56,7 @@ std::array<glm::vec4, kSurfaceRows> surface_of(const Material& material, Model m
 
 Model model_for(const Material& material, Model wanted) {
     const std::vector<Model> models = models_for(material);
-    for (const Model model : {wanted, Model::stack})
+    for (const Model model : {wanted, Model::stack, Model::microsurface_compensated})
         if (std::ranges::find(models, model) != models.end()) return model;
     if (models.empty()) require_shadeable(material, wanted);
     return models.front();

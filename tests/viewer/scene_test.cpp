@@ -83,7 +83,7 @@ TEST(Models, that_shade_blends_are_found_for_them) {
         Blend::Operator::asymmetric,
         {{0.5, {Ndf::ggx, {0.1, 0.1}}, {}, {}, {}}, {0.5, {Ndf::ggx, {0.5, 0.5}}, {}, {}, {}}}};
     const Material metal{"metal", 1.0, {}, ConductorBase{{1, 1, 1}, {1, 1, 1}, worn}, {}};
-    EXPECT_EQ(model_for(metal, Model::coated_exact), Model::microsurface_single);
+    EXPECT_EQ(model_for(metal, Model::coated_exact), Model::microsurface_compensated);
     const Material facets{"facets", 1.0, {}, DiffuseFacetsBase{{1, 1, 1}, worn}, {}};
     EXPECT_THROW(model_for(facets, Model::plain), Error);
 }
