@@ -33,9 +33,16 @@ inline constexpr Tolerance kStackTolerance{1e-4, 7e-7};
 // direction: some 90 roundings more, sqrt(50 + 10 * 35 + 90) u / sqrt(3) = 7.6e-7.
 inline constexpr Tolerance kSymmetricStackTolerance{1e-4, 7.6e-7};
 
+// What meets several facets of a microsurface is a polynomial of seven terms for each direction, in
+// two planes: some 30 roundings more for either, sqrt(50 + 2 * 30) u / sqrt(3) = 3.6e-7. On smooth
+// facets its terms, up to 0.2, cancel to as little as 6e-4 away from grazing, which counts where the
+// average is as little (LQ_LEAST_SEVERAL_AVERAGE): two roundings a term are 14 u 0.2 / 6e-4 = 2.8e-4.
+inline constexpr Tolerance kCompensatedTolerance{3e-4, 3.6e-7};
+
 // The tolerance of a model on the backend of that name: a language or a model that needs more is a
 // formula to mend, or a reason to be written here.
 constexpr Tolerance tolerance_of(std::string_view /*backend*/, Model model) {
+    if (model == Model::microsurface_compensated) return kCompensatedTolerance;
     if (model == Model::stack_symmetric) return kSymmetricStackTolerance;
     return model == Model::stack ? kStackTolerance : kFloatTolerance;
 }

@@ -214,14 +214,13 @@ std::shared_ptr<const Bsdf<Real>::Shading> shading_of(const Material& material, 
                                lq_microsurface_single_albedo>>(
             lq_microsurface_prepare(to_microsurface(microsurface_parameters(material, model))));
     if (model == Model::microsurface_compensated) {
-        const LqMicrosurfaceMaterial surface =
-            to_microsurface(microsurface_parameters(material, model));
+        const MicrosurfaceParameters surface = microsurface_parameters(material, model);
         return level<
             Functions<lq_microsurface_compensated_eval, lq_microsurface_compensated_eval_cos,
                       lq_microsurface_compensated_pdf, lq_microsurface_compensated_sample,
                       lq_microsurface_compensated_albedo>>(
-            lq_microsurface_compensated_prepare(
-                surface, lq_several_facets(lq_microsurface_prepare(surface))));
+            lq_microsurface_compensated_prepare(to_microsurface(surface),
+                                                to_several_facets(surface)));
     }
     const OneCoatParameters parameters = one_coat_parameters(material, model);
     const LqOneCoat surface = to_one_coat(parameters);

@@ -3,6 +3,7 @@
 
 #include "lacquer/bsdf.h"
 #include "shading/microsurface_parameters.h"
+#include "shading/several_facets_rows.h"
 
 namespace lacquer {
 
@@ -35,6 +36,27 @@ shader::LqMicrosurfaceMaterial to_microsurface(const MicrosurfaceParameters& par
             stratum(1),
             stratum(2),
             stratum(3)};
+}
+
+shader::LqSeveralFacetsSide to_several_facets_side(const glm::vec4* rows) {
+    const auto colour = [&](int n) { return shader::vec3{rows[n]}; };
+    const auto fit = [&](int n) -> shader::LqAlbedoFit {
+        return {colour(n),     colour(n + 1), colour(n + 2), colour(n + 3),
+                colour(n + 4), colour(n + 5), colour(n + 6)};
+    };
+    return {fit(0), fit(7), rows[15].x, rows[15].y, colour(14), rows[14].w};
+}
+
+// What float would lose of the rest of sums of 1 is found out in double, as for the backends.
+shader::LqSeveralFacets to_several_facets(const MicrosurfaceParameters& parameters) {
+    if constexpr (sizeof(Real) == sizeof(double)) {
+        return lq_several_facets(lq_microsurface_prepare(to_microsurface(parameters)));
+    } else {
+        const auto rows = several_facets_rows(parameters);
+        return {{rows[0].x > 0, rows[0].y, rows[0].z},
+                to_several_facets_side(rows.data() + 1),
+                to_several_facets_side(rows.data() + 1 + kSeveralFacetsSideRows)};
+    }
 }
 
 }  // namespace

@@ -29,8 +29,7 @@ SideRows rows_of(const shader::LqSeveralFacetsSide& side) {
 
 std::array<glm::vec4, kSeveralFacetsRows> several_facets_rows(
     const MicrosurfaceParameters& parameters) {
-    const shader::LqSeveralFacets several =
-        lq_several_facets(shader::lq_microsurface_prepare(to_microsurface(parameters)));
+    const shader::LqSeveralFacets several = to_several_facets(parameters);
     std::array<glm::vec4, kSeveralFacetsRows> rows{};
     rows[0] = {several.turning.is_rougher_along_x ? 1.0 : 0.0, several.turning.alpha_squared_ratio,
                several.turning.beckmann_share, 0.0};

@@ -12,8 +12,12 @@
 #include "left_over.glsl"
 #include "rough_surface.glsl"
 
-// Averages below this are nothing: m would be divided by rounding errors.
-const float LQ_LEAST_SEVERAL_AVERAGE = 1.0e-6;
+// Averages below this are nothing: m is then next to 0 but near grazing, where its polynomial has few
+// nodes, and would be divided by what rounding leaves of it elsewhere.
+const float LQ_LEAST_SEVERAL_AVERAGE = 3.0e-4;
+
+// Keeps quotients of averages finite.
+const float LQ_LEAST_QUOTIENT = 1.0e-9;
 
 // A ray that has met a second facet leaves with the probability 1 minus these times what the first
 // left over, of its direction and on average: fitted to walks over random conductors.
@@ -154,7 +158,7 @@ vec3 lq_leaving(const LqLeftOver left, const LqLeftOnAverage average, const vec3
 LqSeveralFacetsSide lq_several_facets_side(const LqRoughSide side, const LqTurning turning,
                                            const LqLeftOnAverage average, const float at_grazing,
                                            const float slope) {
-    const vec3 reflectance = average.kept / max(average.met, LQ_LEAST_SEVERAL_AVERAGE);
+    const vec3 reflectance = average.kept / max(average.met, LQ_LEAST_QUOTIENT);
     LqAlbedoFit in_xz = lq_albedo_fit_zero();
     LqAlbedoFit in_yz = lq_albedo_fit_zero();
     vec3 whole = vec3(0.0);
@@ -206,12 +210,12 @@ LqSeveralThrough lq_several_through(const LqLeftOnAverage thin, const LqLeftOnAv
     const float wanted = 1.0 - LQ_REFLECTED_AGAIN * lq_average_fresnel(eta);
     const float through = min(wanted, index_squared * dense.met / thin.met);
     const float crossing = through * thin.met / index_squared;
-    const float slope = crossing / max(dense.met_cosine, LQ_LEAST_SEVERAL_AVERAGE);
+    const float slope = crossing / max(dense.met_cosine, LQ_LEAST_QUOTIENT);
     if (slope <= 1.0) {
         return LqSeveralThrough(through, 0.0, slope);
     }
     const float flatter = clamp(
-        (dense.met - crossing) / max(dense.met - dense.met_cosine, LQ_LEAST_SEVERAL_AVERAGE), 0.0,
+        (dense.met - crossing) / max(dense.met - dense.met_cosine, LQ_LEAST_QUOTIENT), 0.0,
         1.0);
     return LqSeveralThrough(through, 1.0 - flatter, flatter);
 }
@@ -265,7 +269,7 @@ LqSeveralShares lq_several_shares(const LqTurning turning, const LqSeveralFacets
 
 // 0 where there is next to nothing to divide.
 float lq_per_average(const float average) {
-    return average > LQ_LEAST_SEVERAL_AVERAGE ? LQ_INVERSE_PI / average : 0.0;
+    return average > LQ_LEAST_QUOTIENT ? LQ_INVERSE_PI / average : 0.0;
 }
 
 // f between directions of the same side, of their shares.

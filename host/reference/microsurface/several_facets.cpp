@@ -13,8 +13,12 @@ namespace lacquer::reference {
 
 namespace {
 
-// Averages below this are nothing: m would be divided by rounding errors.
-constexpr double kLeastAverage = 1e-6;
+// Averages below this are nothing: m is then next to 0 but near grazing, where its polynomial has
+// few nodes, and would be divided by what rounding leaves of it elsewhere.
+constexpr double kLeastAverage = 3e-4;
+
+// Keeps quotients of averages finite.
+constexpr double kLeast = 1e-9;
 
 // A ray that has met a second facet leaves with the probability 1 minus these times what the first
 // left over, of its direction and on average: fitted to walks over random conductors.
@@ -173,14 +177,14 @@ void divide(const InPlanes& thin, const InPlanes& dense, const Turning& turning,
     const double wanted = 1.0 - kReflectedAgain * average_fresnel(eta);
     const double through = std::min(wanted, index2 * of_dense.m / of_thin.m);
     const double crossing = through * of_thin.m / index2;  // on average, from the dense side
-    const double slope = crossing / std::max(of_dense.with_cosine, kLeastAverage);
+    const double slope = crossing / std::max(of_dense.with_cosine, kLeast);
     thin_side = side_of_interface(thin, of_thin, through, 0.0);
     if (slope <= 1.0) {
         dense_side = side_of_interface(dense, of_dense, 0.0, slope);
     } else {
         const double flatter = std::clamp(
-            (of_dense.m - crossing) / std::max(of_dense.m - of_dense.with_cosine, kLeastAverage),
-            0.0, 1.0);
+            (of_dense.m - crossing) / std::max(of_dense.m - of_dense.with_cosine, kLeast), 0.0,
+            1.0);
         dense_side = side_of_interface(dense, of_dense, 1.0 - flatter, flatter);
     }
 }
@@ -216,7 +220,7 @@ glm::dvec3 several_reflected(const SeveralFacetsSide& side, const SeveralShares&
                              const SeveralShares& to) {
     glm::dvec3 f{0.0};
     for (int c = 0; c < 3; ++c)
-        if (side.average_reflected[c] > kLeastAverage)
+        if (side.average_reflected[c] > kLeast)
             f[c] = from.reflected[c] * to.reflected[c] /
                    (std::numbers::pi * side.average_reflected[c]);
     return f;
@@ -224,7 +228,7 @@ glm::dvec3 several_reflected(const SeveralFacetsSide& side, const SeveralShares&
 
 double several_through(const SeveralFacetsSide& far_side, const SeveralShares& from,
                        const SeveralShares& to) {
-    if (far_side.average_through <= kLeastAverage) return 0.0;
+    if (far_side.average_through <= kLeast) return 0.0;
     return from.through * to.through / (std::numbers::pi * far_side.average_through);
 }
 
