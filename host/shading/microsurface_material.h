@@ -38,7 +38,7 @@ shader::LqMicrosurfaceMaterial to_microsurface(const MicrosurfaceParameters& par
             stratum(3)};
 }
 
-shader::LqSeveralFacetsSide to_several_facets_side(const glm::vec4* rows) {
+inline shader::LqSeveralFacetsSide to_several_facets_side(const glm::vec4* rows) {
     const auto colour = [&](int n) { return shader::vec3{rows[n]}; };
     const auto fit = [&](int n) -> shader::LqAlbedoFit {
         return {colour(n),     colour(n + 1), colour(n + 2), colour(n + 3),
@@ -48,7 +48,7 @@ shader::LqSeveralFacetsSide to_several_facets_side(const glm::vec4* rows) {
 }
 
 // What float would lose of the rest of sums of 1 is found out in double, as for the backends.
-shader::LqSeveralFacets to_several_facets(const MicrosurfaceParameters& parameters) {
+inline shader::LqSeveralFacets to_several_facets(const MicrosurfaceParameters& parameters) {
     if constexpr (sizeof(Real) == sizeof(double)) {
         return lq_several_facets(lq_microsurface_prepare(to_microsurface(parameters)));
     } else {

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // HLSL, shader model 5.0, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 c0b1137050847f1098f4c34d90f5bda167b87d65c219098d4677835d418f3ffb.
+// Generated; source sha256 708e42d0c0d53ba33c22e5af3520e51995686eba49f675d11037996f48384c63.
 
 static const float LQ_PI = 3.1415927f;
 static const float LQ_INVERSE_PI = 0.31830987f;
@@ -14,6 +14,9 @@ static const float LQ_MIN_ALPHA = 0.001f;
 static const float LQ_MIN_ETA = 0.33333334f;
 static const float LQ_MAX_ETA = 3.0f;
 static const float LQ_MAX_CONDUCTOR_INDEX = 40.0f;
+
+// exp(-80) is the smallest transmittance whose products are still normal floats.
+static const float LQ_MAX_OPTICAL_DEPTH = 80.0f;
 
 // Below this a denominator that is a product of two cosines is raised, so that directions within
 // 1e-15 of the horizon give a large value instead of infinity.
@@ -46,9 +49,6 @@ static const float LQ_MIN_FRESNEL_TERM = 1.0e-30f;
 static const int LQ_BASE_NONE = 0;
 static const int LQ_BASE_LAMBERTIAN = 1;
 static const int LQ_BASE_CONDUCTOR = 2;
-
-// exp(-80) is the smallest transmittance whose products are still normal floats.
-static const float LQ_MAX_OPTICAL_DEPTH = 80.0f;
 
 // `coat_eta` is the ior of the coat over that of the exterior, and 0 where there is no coat.
 // `optical_depth` is that of the coat's medium along the normal, -log(tau): a logarithm taken on

@@ -1,7 +1,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // WGSL, functions only, nothing bound.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 166df0018ef82a7178efb363712f508262dcdcbf92c2005a91168fd4c3355d36.
+// Generated; source sha256 3ef0b3887ba32a3ae666ff20f633454a6c0bfa560b5530fa15af0ddf7579b6ba.
 //
 // Directions are unit vectors in a local frame whose z is the normal: wi towards the light, wo
 // towards the viewer, wm a facet normal. f is the BSDF per steradian without the cosine; a name
@@ -22,6 +22,9 @@ const LQ_MIN_ALPHA: f32 = 0.001;
 const LQ_MIN_ETA: f32 = 0.33333334;
 const LQ_MAX_ETA: f32 = 3.0;
 const LQ_MAX_CONDUCTOR_INDEX: f32 = 40.0;
+
+// exp(-80) is the smallest transmittance whose products are still normal floats.
+const LQ_MAX_OPTICAL_DEPTH: f32 = 80.0;
 
 // Below this a denominator that is a product of two cosines is raised, so that directions within
 // 1e-15 of the horizon give a large value instead of infinity.
@@ -645,9 +648,6 @@ fn lq_reflection_sample(facets: LqFacets, wo: vec3f, u: vec2f) -> vec3f {
 const LQ_BASE_NONE: i32 = 0;
 const LQ_BASE_LAMBERTIAN: i32 = 1;
 const LQ_BASE_CONDUCTOR: i32 = 2;
-
-// exp(-80) is the smallest transmittance whose products are still normal floats.
-const LQ_MAX_OPTICAL_DEPTH: f32 = 80.0;
 
 // `coat_eta` is the ior of the coat over that of the exterior, and 0 where there is no coat.
 // `optical_depth` is that of the coat's medium along the normal, -log(tau): a logarithm taken on
