@@ -80,14 +80,28 @@ JobResult run_queries(const Job& job, const RunOne& run_one) {
     return result;
 }
 
+template <typename Prepare>
+auto all_prepared(const Job& job, const Prepare& prepare) {
+    std::vector<decltype(prepare(job.materials[0]))> surfaces;
+    surfaces.reserve(job.materials.size());
+    for (const Material& material : job.materials) surfaces.push_back(prepare(material));
+    return surfaces;
+}
+
 // The kernel `lights` (Surface also has `view`), which unlike the others reads the rows of other
-// queries, and whose preparing is part of what it measures.
+// queries, and whose preparing is part of what it measures: but for what a model finds out once per
+// material, which every other backend is given too.
 template <typename Real, typename Prepare>
 JobResult run_lights(const Job& job, const Prepare& prepare) {
     const std::uint64_t query_count = job.query_count();
+    const auto surfaces = job.model == Model::microsurface_compensated
+                              ? all_prepared(job, prepare)
+                              : std::vector<decltype(prepare(job.materials[0]))>{};
     return run_queries(job, [&](std::uint64_t query, const glm::vec4* inputs, glm::dvec4* results) {
         using Vector = glm::vec<3, Real>;
-        const auto surface = prepare(job.materials[query / job.queries_per_material]);
+        const std::uint64_t material = query / job.queries_per_material;
+        const auto surface =
+            surfaces.empty() ? prepare(job.materials[material]) : surfaces[material];
         const auto view = surface.view(Vector{*inputs});
         Vector sum{0};
         for (std::uint64_t n = 1; n <= job.parameters.point_count; ++n)
@@ -101,9 +115,7 @@ template <typename Real, typename Prepare>
 JobResult run_on_cpu(const Job& job, const Prepare& prepare) {
     check_job(job);
     if (job.kernel == Kernel::lights) return run_lights<Real>(job, prepare);
-    std::vector<decltype(prepare(job.materials[0]))> surfaces;
-    surfaces.reserve(job.materials.size());
-    for (const Material& material : job.materials) surfaces.push_back(prepare(material));
+    const auto surfaces = all_prepared(job, prepare);
     return run_queries(job, [&](std::uint64_t query, const glm::vec4* inputs, glm::dvec4* results) {
         run_query<Real>(job.kernel, surfaces[query / job.queries_per_material], job.parameters,
                         inputs, results);

@@ -45,11 +45,12 @@ Rows expected_samples(const Job& job, const Rows& rows) {
 Rows expected_albedos(const Job& job) {
     Rows expected;
     const int point_count = static_cast<int>(job.parameters.point_count);
+    std::vector<Bsdf<double>> surfaces;
+    for (const Material& material : job.materials)
+        surfaces.push_back(prepare<double>(as_shaders_read(material), job.model));
     for (std::size_t query = 0; query < job.query_count(); ++query) {
-        const Material& material = job.materials[query / job.queries_per_material];
-        const DirectionalAlbedo<double> albedo =
-            prepare<double>(as_shaders_read(material), job.model)
-                .albedo(glm::dvec3{job.inputs[query]}, point_count);
+        const DirectionalAlbedo<double> albedo = surfaces[query / job.queries_per_material].albedo(
+            glm::dvec3{job.inputs[query]}, point_count);
         expected.emplace_back(albedo.direct, 0.0);
         expected.emplace_back(albedo.base, 0.0);
         expected.emplace_back(albedo.transmitted, 0.0);

@@ -46,24 +46,48 @@ glm::dvec3 several_eval(const CompensatedMicrosurface& surface, const glm::dvec3
                         : glm::dvec3{several_through(side, from, viewer.shares)};
 }
 
-// The integral over wi on one side of the cosine lobe weighted by `m`, through what it crosses.
+// What a medium of transmittance `tau` leaves of the diffuse lobe of `m`, averaged over azimuths,
+// between which m only turns.
 template <typename Share>
-double crossing_average(const Share& m, double tau) {
+double crossed(const Share& m, double tau) {
     if (tau == 1.0) return 1.0;
     using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
-    const auto light = [&](double x) { return 4.0 * x * x * x * m(x * x); };
-    const auto crossed = [&](double x) {
-        return light(x) * (x > 0.0 ? std::pow(tau, 1.0 / (x * x)) : 0.0);
+    constexpr unsigned kMaxHalvings = 6;
+    constexpr double kTolerance = 1e-8;
+    const auto light = [&](double x) {
+        const double sine = std::sqrt((1.0 - x * x) * (1.0 + x * x));
+        double sum = 0.0;
+        constexpr int kAzimuths = 16;
+        for (int n = 0; n < kAzimuths; ++n) {
+            const double phi = 2.0 * pi * (n + 0.5) / kAzimuths;
+            sum += m({sine * std::cos(phi), sine * std::sin(phi), x * x});
+        }
+        return 4.0 * x * x * x * sum;
     };
-    const double all = Quadrature::integrate(light, 0.0, 1.0, 8, 1e-9);
-    return all > 0.0 ? Quadrature::integrate(crossed, 0.0, 1.0, 8, 1e-9) / all : 0.0;
+    const auto left = [&](double x) {
+        return x > 0.0 ? light(x) * std::pow(tau, 1.0 / (x * x)) : 0.0;
+    };
+    const double all = Quadrature::integrate(light, 0.0, 1.0, kMaxHalvings, kTolerance);
+    if (all <= 0.0) return 1.0;
+    return Quadrature::integrate(left, 0.0, 1.0, kMaxHalvings, kTolerance) / all;
 }
 
 }  // namespace
 
 CompensatedMicrosurface prepare_microsurface_compensated(const Material& material) {
     const RoughSurface surface = rough_surface(material, Model::microsurface_compensated);
-    return {{surface}, several_facets(surface)};
+    CompensatedMicrosurface prepared{{surface}, several_facets(surface)};
+    if (!surface.below) return prepared;
+    const auto shares = [&](const glm::dvec3& w) {
+        return several_shares(prepared.several.turning, prepared.several.below, w);
+    };
+    for (int c = 0; c < 3; ++c) {
+        prepared.crossed_reflected[c] =
+            crossed([&](const glm::dvec3& w) { return shares(w).reflected.x; }, surface.tau[c]);
+        prepared.crossed_through[c] =
+            crossed([&](const glm::dvec3& w) { return shares(w).through; }, surface.tau[c]);
+    }
+    return prepared;
 }
 
 glm::dvec3 eval(const CompensatedMicrosurface& surface, const glm::dvec3& wi,
@@ -114,30 +138,12 @@ Albedo albedo(const CompensatedMicrosurface& surface, const glm::dvec3& wo) {
     if (!turned(surface.single, {}, wo).side) return light;
     const Viewer viewer = viewer_of(surface.several, wo);
     const glm::dvec3 before = crossing(surface.single, wo);
-    // Averaged over azimuths, between which m only turns.
-    const auto crossed = [&](const SeveralFacetsSide& side, bool through) {
-        const auto m = [&](double cosine) {
-            const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
-            double sum = 0.0;
-            constexpr int kAzimuths = 16;
-            for (int n = 0; n < kAzimuths; ++n) {
-                const double phi = 2.0 * pi * (n + 0.5) / kAzimuths;
-                const SeveralShares shares =
-                    several_shares(surface.several.turning, side,
-                                   {sine * std::cos(phi), sine * std::sin(phi), cosine});
-                sum += through ? shares.through : shares.reflected.x;
-            }
-            return sum;
-        };
-        glm::dvec3 factor;
-        for (int c = 0; c < 3; ++c) factor[c] = crossing_average(m, surface.single.tau[c]);
-        return factor;
-    };
-    const bool from_below = is_below(wo);
     glm::dvec3 reflected = before * viewer.shares.reflected;
     glm::dvec3 through = before * viewer.shares.through;
-    if (from_below) reflected *= crossed(*viewer.near_side, false);
-    if (!from_below && surface.single.below) through *= crossed(*viewer.far_side, true);
+    if (is_below(wo))
+        reflected *= surface.crossed_reflected;
+    else
+        through *= surface.crossed_through;
     if (surface.single.below) {
         light.direct += reflected;
         light.transmitted += through;

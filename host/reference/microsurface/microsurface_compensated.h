@@ -15,6 +15,9 @@ namespace lacquer::reference {
 struct CompensatedMicrosurface {
     SingleMicrosurface single;
     SeveralFacets several;
+    // Of light that several facets send down, reflected from below or let through from above: what
+    // the medium below leaves of it.
+    glm::dvec3 crossed_reflected{1.0}, crossed_through{1.0};
 };
 
 // Throws Error as rough_surface does.
