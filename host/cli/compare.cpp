@@ -38,9 +38,10 @@ errors, its throughput and device. Ends with exit code 1 where a backend is past
 or breaks down. Backends that cannot run here are skipped, unless they were named.
 
 With --suite diffuse-interfaces it makes the figures of the paper on rough coats over Lambertian
-bases instead, with --suite layered those of the paper on stacks of layers: what simulated light
-does, what each model makes of it, and how far it is off. Prints the errors; --report writes a page
-with all pictures and curves.
+bases instead, with --suite layered those of the paper on stacks of layers, with --suite
+heightfields those of the paper on surfaces that change with height: what simulated light does, what
+each model makes of it, and how far it is off. Prints the errors; --report writes a page with all
+pictures and curves.
 
 Examples:
   lacquer compare
@@ -48,7 +49,8 @@ Examples:
   lacquer compare --device nvidia --json > compare.json
   lacquer compare --update-readme README.md
   lacquer compare --suite diffuse-interfaces --report report
-  lacquer compare --suite layered --report report)";
+  lacquer compare --suite layered --report report
+  lacquer compare --suite heightfields --report report)";
 
 struct Arguments {
     std::vector<std::string> backends;

@@ -13,13 +13,15 @@
 namespace lacquer::study {
 
 // A picture and the numbers behind it. With a `limit` the numbers are signed differences, shown in
-// colours up to it; without, they are radiance as a display shows it.
+// colours up to it, or where `to_the_eye` those of FLIP, from 0; without, they are radiance as a
+// display shows it.
 struct Picture {
     std::string
         name;  // of its files, unique in the figure; empty: nothing stands here but the note
     Image numbers{};
     std::optional<double> limit{};
     std::string note{};  // stands below it
+    bool to_the_eye = false;
 };
 
 struct PictureRow {

@@ -27,13 +27,21 @@ std::string picture_html(const Picture& picture, const std::string& what) {
                              : fmt::format("<figcaption>{}</figcaption>", escaped(picture.note)));
 }
 
-// The largest limit of the pictures, which share one; 0 where none shows differences.
-double limit_of(const PictureTable& table) {
+// The largest limit of the pictures of one kind of differences, which share one; 0 where none shows
+// them.
+double limit_of(const PictureTable& table, bool to_the_eye) {
     double limit = 0.0;
     for (const PictureRow& row : table.rows)
         for (const Picture& picture : row.pictures)
-            limit = std::max(limit, picture.limit.value_or(0.0));
+            if (picture.to_the_eye == to_the_eye)
+                limit = std::max(limit, picture.limit.value_or(0.0));
     return limit;
+}
+
+std::string legends_of(const PictureTable& table) {
+    const double signed_limit = limit_of(table, false), flip_limit = limit_of(table, true);
+    return (signed_limit > 0.0 ? difference_legend(signed_limit) : "") +
+           (flip_limit > 0.0 ? flip_legend(flip_limit) : "");
 }
 
 std::string html_of(const PictureTable& table) {
@@ -45,11 +53,10 @@ std::string html_of(const PictureTable& table) {
         for (std::size_t n = 0; n < row.pictures.size(); ++n)
             cells += picture_html(row.pictures[n], row.label + ", " + table.columns[n]);
     }
-    const double limit = limit_of(table);
     return fmt::format(
         R"(<div class="panel">{}<div class="pictures" style="--columns:{};--width:{}px">{}</div>{}</div>)",
         title_html(table.title), table.columns.size(), table.column_width, cells,
-        limit > 0.0 ? difference_legend(limit) : "");
+        legends_of(table));
 }
 
 std::string html_of(const Plots& plots) {

@@ -5,13 +5,14 @@
 #include <chrono>
 
 #include "study/diffuse_interfaces/suite.h"
+#include "study/heightfields/suite.h"
 #include "study/layered/suite.h"
 
 namespace lacquer::study {
 
 namespace {
 
-const std::array kSuites{kDiffuseInterfaces, kLayered};
+const std::array kSuites{kDiffuseInterfaces, kLayered, kHeightfields};
 
 }  // namespace
 
