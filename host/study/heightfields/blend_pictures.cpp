@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <glm/common.hpp>
+#include <glm/exponential.hpp>
 
 #include "core/model_scope.h"
 #include "image/display.h"
