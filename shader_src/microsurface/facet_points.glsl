@@ -29,7 +29,7 @@ struct LqFacetPoint {
 
 // Slopes along one azimuth: `unit` that of steepness 1, `along` the cosine between its azimuth and
 // w, `weight` its part of the azimuths.
-struct LqFacetRay {
+struct LqSlopeRay {
     vec2 unit;
     float stretch;
     float along;
@@ -65,13 +65,13 @@ float lq_facet_height(const float steepness) {
 }
 
 // `cosine` and `sine` of the stretched azimuth, from that of w.
-LqFacetRay lq_facet_ray_at(const LqFacets facets, const vec3 w, const float cosine,
+LqSlopeRay lq_slope_ray_at(const LqFacets facets, const vec3 w, const float cosine,
                            const float sine, const float weight) {
     const bool is_x = abs(w.y) <= abs(w.x);
     const vec2 unit = vec2(facets.alpha_x * (is_x ? cosine : sine),
                            facets.alpha_y * (is_x ? sine : cosine));
     const float stretch = sqrt(unit.x * unit.x + unit.y * unit.y);
-    return LqFacetRay(unit, stretch, (unit.x * w.x + unit.y * w.y) / stretch, weight);
+    return LqSlopeRay(unit, stretch, (unit.x * w.x + unit.y * w.y) / stretch, weight);
 }
 
 // (cos, sin) of point n of that rule over a quarter of the azimuths.
@@ -89,23 +89,23 @@ vec2 lq_quarter_azimuth(const int n) {
 }
 
 // One of LQ_FACET_RAYS over all azimuths.
-LqFacetRay lq_facet_ray(const LqFacets facets, const vec3 w, const int n) {
+LqSlopeRay lq_slope_ray(const LqFacets facets, const vec3 w, const int n) {
     const bool is_back = n > 3;
     const int point = is_back ? n - 4 : n;
     const vec2 azimuth = lq_quarter_azimuth(point);
-    return lq_facet_ray_at(facets, w, is_back ? -azimuth.x : azimuth.x, azimuth.y,
+    return lq_slope_ray_at(facets, w, is_back ? -azimuth.x : azimuth.x, azimuth.y,
                            0.5 * LQ_PI * lq_gauss_four(point).y);
 }
 
 // Height of facets that mirror w to the horizon.
-float lq_horizon_height(const LqFacetRay ray, const vec3 w) {
+float lq_horizon_height(const LqSlopeRay ray, const vec3 w) {
     const float root = sqrt(ray.along * ray.along + w.z * w.z);
     const float slope = ray.along > 0.0 ? (ray.along + root) / w.z : w.z / (root - ray.along);
     return lq_facet_height(slope / ray.stretch);
 }
 
 // Height of facets that w grazes.
-float lq_grazed_height(const LqFacetRay ray, const vec3 w) {
+float lq_grazed_height(const LqSlopeRay ray, const vec3 w) {
     if (ray.along >= 0.0) {
         return 1.0;
     }
@@ -117,7 +117,7 @@ float lq_highest(const LqFacets facets, const float height) {
 }
 
 // The facet at a point of a rule from one height to another; weight 0 where there is none.
-LqFacetPoint lq_facet_point(const LqFacets facets, const vec3 w, const LqFacetRay ray,
+LqFacetPoint lq_facet_point(const LqFacets facets, const vec3 w, const LqSlopeRay ray,
                             const float low, const float high, const vec2 rule) {
     const float half_range = 0.5 * max(lq_highest(facets, high) - low, 0.0);
     const float y = low + half_range * (1.0 + rule.x);
@@ -141,14 +141,14 @@ LqFacetPoint lq_facet_point(const LqFacets facets, const vec3 w, const LqFacetRa
 }
 
 // The point `n` among those of facets that mirror w to above the surface; of LQ_FACET_HEIGHTS.
-LqFacetPoint lq_facet_point_mirroring_up(const LqFacets facets, const vec3 w, const LqFacetRay ray,
+LqFacetPoint lq_facet_point_mirroring_up(const LqFacets facets, const vec3 w, const LqSlopeRay ray,
                                          const int n) {
     return lq_facet_point(facets, w, ray, 0.0, lq_horizon_height(ray, w), lq_gauss_six(n));
 }
 
 // Of those that mirror it down, to other facets; of LQ_STEEP_HEIGHTS.
 LqFacetPoint lq_facet_point_mirroring_down(const LqFacets facets, const vec3 w,
-                                           const LqFacetRay ray, const int n) {
+                                           const LqSlopeRay ray, const int n) {
     return lq_facet_point(facets, w, ray, lq_horizon_height(ray, w), lq_grazed_height(ray, w),
                           lq_gauss_two(n));
 }
@@ -158,10 +158,10 @@ int lq_rays_within(const vec3 w, const float critical_cosine) {
     return w.z >= critical_cosine ? LQ_FACET_RAYS : LQ_CONE_RAYS;
 }
 
-LqFacetRay lq_facet_ray_within(const LqFacets facets, const vec3 w, const float critical_cosine,
+LqSlopeRay lq_slope_ray_within(const LqFacets facets, const vec3 w, const float critical_cosine,
                                const int n) {
     if (w.z >= critical_cosine) {
-        return lq_facet_ray(facets, w, n);
+        return lq_slope_ray(facets, w, n);
     }
     // Azimuths within the cone have a cosine to w of at least `least`, to the side of w alone.
     const float least = lq_safe_sqrt((critical_cosine - w.z) * (critical_cosine + w.z));
@@ -177,12 +177,12 @@ LqFacetRay lq_facet_ray_within(const LqFacets facets, const vec3 w, const float 
     const vec2 rule = lq_gauss_four(n);
     const float t = 0.5 * last * (1.0 + rule.x);
     const float whole = 1.0 + t * t;
-    return lq_facet_ray_at(facets, w, (1.0 - t) * (1.0 + t) / whole, 2.0 * t / whole,
+    return lq_slope_ray_at(facets, w, (1.0 - t) * (1.0 + t) / whole, 2.0 * t / whole,
                            2.0 * rule.y * last / whole);
 }
 
 // Of the facets on a ray within that cone, the point `n` of LQ_FACET_HEIGHTS.
-LqFacetPoint lq_facet_point_within(const LqFacets facets, const vec3 w, const LqFacetRay ray,
+LqFacetPoint lq_facet_point_within(const LqFacets facets, const vec3 w, const LqSlopeRay ray,
                                    const float critical_cosine, const int n) {
     const float beyond = lq_safe_sqrt(ray.along * ray.along + w.z * w.z -
                                       critical_cosine * critical_cosine);

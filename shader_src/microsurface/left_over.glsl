@@ -72,7 +72,7 @@ LqLeftOver lq_left_by_mirrors(const LqRoughSide side, const int n, const vec3 w)
     float weights = 0.0;
     vec3 reflectances = vec3(0.0);
     for (int towards = 0; towards < LQ_FACET_RAYS; towards++) {
-        const LqFacetRay ray = lq_facet_ray(stratum.facets, w, towards);
+        const LqSlopeRay ray = lq_slope_ray(stratum.facets, w, towards);
         for (int level = 0; level < LQ_FACET_HEIGHTS + LQ_STEEP_HEIGHTS; level++) {
             const bool is_steep = level >= LQ_FACET_HEIGHTS;
             const float horizon = lq_horizon_height(ray, w);
@@ -114,7 +114,7 @@ float lq_sent_by_interfaces(const LqRoughSide side, const int n, const vec3 w) {
     const float critical_cosine = lq_safe_sqrt((1.0 - side.eta) * (1.0 + side.eta));
     float sent = 0.0;
     for (int around = 0; around < LQ_FACET_RAYS; around++) {
-        const LqFacetRay ray = lq_facet_ray(facets, w, around);
+        const LqSlopeRay ray = lq_slope_ray(facets, w, around);
         for (int up = 0; up < LQ_FACET_HEIGHTS; up++) {
             const LqFacetPoint point = lq_facet_point_mirroring_up(facets, w, ray, up);
             sent += point.weight * lq_mirrored_up(side.strata, n, w, point);
@@ -131,7 +131,7 @@ float lq_sent_by_interfaces(const LqRoughSide side, const int n, const vec3 w) {
     }
     const int inner_rays = is_dense ? lq_rays_within(w, critical_cosine) : 0;
     for (int inside = 0; inside < inner_rays; inside++) {
-        const LqFacetRay inner = lq_facet_ray_within(facets, w, critical_cosine, inside);
+        const LqSlopeRay inner = lq_slope_ray_within(facets, w, critical_cosine, inside);
         for (int cone = 0; cone < LQ_FACET_HEIGHTS; cone++) {
             sent += lq_through_instead(
                 side, n, w, lq_facet_point_within(facets, w, inner, critical_cosine, cone), true);
