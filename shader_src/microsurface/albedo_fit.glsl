@@ -26,14 +26,14 @@ LqAlbedoFit lq_albedo_fit_zero() {
 // The argument of the T_n at a node, n in [0, LQ_ALBEDO_NODES).
 float lq_albedo_node(const int n) {
     const int beyond = n > 3 ? 6 - n : n;
-    const float sign = n > 3 ? -1.0 : 1.0;
+    const float sense = n > 3 ? -1.0 : 1.0;
     if (beyond == 0) {
-        return sign * 0.974927912181824;
+        return sense * 0.974927912181824;
     }
     if (beyond == 1) {
-        return sign * 0.78183148246803;
+        return sense * 0.78183148246803;
     }
-    return beyond == 2 ? sign * 0.433883739117558 : 0.0;
+    return beyond == 2 ? sense * 0.433883739117558 : 0.0;
 }
 
 float lq_albedo_node_cosine(const int n) {

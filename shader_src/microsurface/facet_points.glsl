@@ -42,22 +42,22 @@ vec2 lq_gauss_two(const int n) {
 }
 
 vec2 lq_gauss_four(const int n) {
-    const float sign = n < 2 ? -1.0 : 1.0;
+    const float sense = n < 2 ? -1.0 : 1.0;
     if (n == 0 || n == 3) {
-        return vec2(sign * 0.861136311594053, 0.347854845137454);
+        return vec2(sense * 0.861136311594053, 0.347854845137454);
     }
-    return vec2(sign * 0.339981043584856, 0.652145154862546);
+    return vec2(sense * 0.339981043584856, 0.652145154862546);
 }
 
 vec2 lq_gauss_six(const int n) {
-    const float sign = n < 3 ? -1.0 : 1.0;
+    const float sense = n < 3 ? -1.0 : 1.0;
     if (n == 0 || n == 5) {
-        return vec2(sign * 0.932469514203152, 0.17132449237917);
+        return vec2(sense * 0.932469514203152, 0.17132449237917);
     }
     if (n == 1 || n == 4) {
-        return vec2(sign * 0.661209386466265, 0.360761573048139);
+        return vec2(sense * 0.661209386466265, 0.360761573048139);
     }
-    return vec2(sign * 0.238619186083197, 0.467913934572691);
+    return vec2(sense * 0.238619186083197, 0.467913934572691);
 }
 
 float lq_facet_height(const float steepness) {
@@ -91,10 +91,10 @@ vec2 lq_quarter_azimuth(const int n) {
 // One of LQ_FACET_RAYS over all azimuths.
 LqSlopeRay lq_slope_ray(const LqFacets facets, const vec3 w, const int n) {
     const bool is_back = n > 3;
-    const int point = is_back ? n - 4 : n;
-    const vec2 azimuth = lq_quarter_azimuth(point);
+    const int nth = is_back ? n - 4 : n;
+    const vec2 azimuth = lq_quarter_azimuth(nth);
     return lq_slope_ray_at(facets, w, is_back ? -azimuth.x : azimuth.x, azimuth.y,
-                           0.5 * LQ_PI * lq_gauss_four(point).y);
+                           0.5 * LQ_PI * lq_gauss_four(nth).y);
 }
 
 // Height of facets that mirror w to the horizon.

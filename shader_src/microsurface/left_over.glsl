@@ -26,8 +26,8 @@ float lq_seen_of_stratum(const LqStrata strata, const int n, const vec3 w) {
 }
 
 // What sees w and, mirrored by a facet of it, the sky.
-float lq_mirrored_up(const LqStrata strata, const int n, const vec3 w, const LqFacetPoint point) {
-    const vec3 away = point.wm * (2.0 * point.cos_theta) - w;
+float lq_mirrored_up(const LqStrata strata, const int n, const vec3 w, const LqFacetPoint facet) {
+    const vec3 away = facet.wm * (2.0 * facet.cos_theta) - w;
     if (away.z <= 0.0) {
         return 0.0;
     }
@@ -42,9 +42,9 @@ float lq_mirrored_up(const LqStrata strata, const int n, const vec3 w, const LqF
 }
 
 // What sees w and, refracted, the far side.
-float lq_refracted_down(const LqStrata strata, const int n, const vec3 w, const LqFacetPoint point,
+float lq_refracted_down(const LqStrata strata, const int n, const vec3 w, const LqFacetPoint facet,
                         const float eta) {
-    const vec3 away = lq_refracted(w, point.wm, eta);
+    const vec3 away = lq_refracted(w, facet.wm, eta);
     if (away.z >= 0.0) {
         return 0.0;
     }
@@ -82,14 +82,14 @@ LqLeftOver lq_left_by_mirrors(const LqRoughSide side, const int n, const vec3 w)
             const vec2 flat_rule = lq_gauss_six(min(level, LQ_FACET_HEIGHTS - 1));
             const vec2 rule = vec2(is_steep ? steep_rule.x : flat_rule.x,
                                    is_steep ? steep_rule.y : flat_rule.y);
-            const LqFacetPoint point = lq_facet_point(stratum.facets, w, ray, low, high, rule);
+            const LqFacetPoint facet = lq_facet_point(stratum.facets, w, ray, low, high, rule);
             const float away =
-                is_steep ? 0.0 : lq_mirrored_up(side.strata, n, w, point);
-            const float rest = point.weight * (visible - away);
-            sent += point.weight * away;
+                is_steep ? 0.0 : lq_mirrored_up(side.strata, n, w, facet);
+            const float rest = facet.weight * (visible - away);
+            sent += facet.weight * away;
             weights += rest;
             reflectances +=
-                rest * lq_fresnel_conductor_rgb(point.cos_theta, stratum.eta, stratum.kappa);
+                rest * lq_fresnel_conductor_rgb(facet.cos_theta, stratum.eta, stratum.kappa);
         }
     }
     const float met = visible * (w.z + lq_facets_projected_lambda(stratum.facets, w)) / w.z;
@@ -100,10 +100,10 @@ LqLeftOver lq_left_by_mirrors(const LqRoughSide side, const int n, const vec3 w)
 
 // What facets let through at one point, less what they would mirror up of it.
 float lq_through_instead(const LqRoughSide side, const int n, const vec3 w,
-                         const LqFacetPoint point, const bool mirrors_up) {
-    const float away = mirrors_up ? lq_mirrored_up(side.strata, n, w, point) : 0.0;
-    return point.weight * lq_transmittance_dielectric(point.cos_theta, side.eta) *
-           (lq_refracted_down(side.strata, n, w, point, side.eta) - away);
+                         const LqFacetPoint facet, const bool mirrors_up) {
+    const float away = mirrors_up ? lq_mirrored_up(side.strata, n, w, facet) : 0.0;
+    return facet.weight * lq_transmittance_dielectric(facet.cos_theta, side.eta) *
+           (lq_refracted_down(side.strata, n, w, facet, side.eta) - away);
 }
 
 // Sent to either side by one stratum of facets that refract: mirrored as if nothing were let
@@ -116,10 +116,10 @@ float lq_sent_by_interfaces(const LqRoughSide side, const int n, const vec3 w) {
     for (int around = 0; around < LQ_FACET_RAYS; around++) {
         const LqSlopeRay ray = lq_slope_ray(facets, w, around);
         for (int up = 0; up < LQ_FACET_HEIGHTS; up++) {
-            const LqFacetPoint point = lq_facet_point_mirroring_up(facets, w, ray, up);
-            sent += point.weight * lq_mirrored_up(side.strata, n, w, point);
+            const LqFacetPoint facet = lq_facet_point_mirroring_up(facets, w, ray, up);
+            sent += facet.weight * lq_mirrored_up(side.strata, n, w, facet);
             if (!is_dense) {
-                sent += lq_through_instead(side, n, w, point, true);
+                sent += lq_through_instead(side, n, w, facet, true);
             }
         }
         if (!is_dense) {

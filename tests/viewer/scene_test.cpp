@@ -73,7 +73,7 @@ TEST(Models, follow_each_other_as_far_as_they_can_shade_the_material) {
         const auto shades = [&](const Material& material) {
             return !why_not_shadeable(material, model);
         };
-        EXPECT_EQ(model_for(metal, model), shades(metal) ? model : Model::plain);
+        EXPECT_EQ(model_for(metal, model), shades(metal) ? model : Model::microsurface_compensated);
         EXPECT_EQ(model_for(coated, model), shades(coated) ? model : Model::stack);
     }
 }
