@@ -40,7 +40,15 @@ constexpr const char* kRoughAbove = "rough above smooth";
 }  // namespace
 
 Figure layouts_figure(const StudyRun& run) {
-    Figure figure{"figure-7", "Figure 7: five surfaces with the same facets", "", kBlendMeasure};
+    Figure figure{
+        "figure-7", "Figure 7: five surfaces with the same facets",
+        "Silver whose facets are in halves of alpha 0.02 and 1, Beckmann, in five orders. Where "
+        "all rough "
+        "facets lie below, hardly any light finds the order out; rough facets above hide the "
+        "smooth "
+        "ones at grazing angles, where the linear blend keeps their mirror image. What meets one "
+        "facet is too dark: rough metal passes light on from facet to facet.",
+        kBlendMeasure};
     const Ndf ndf = Ndf::beckmann;
     const Stratum smooth = stratum(0.5, 0.02, ndf), rough = stratum(0.5, 1.0, ndf);
     const Stratum half_smooth = stratum(0.25, 0.02, ndf), half_rough = stratum(0.25, 1.0, ndf);
@@ -58,7 +66,14 @@ Figure layouts_figure(const StudyRun& run) {
 }
 
 Figure lit_diffuse_figure(const StudyRun& run) {
-    Figure figure{"figure-9", "Figure 9: diffuse facets as the light moves", "", kBlendMeasure};
+    Figure figure{
+        "figure-9", "Figure 9: diffuse facets as the light moves",
+        "Green diffuse facets of alpha 0.2 and 0.8 in halves, under one light. The further the "
+        "light is "
+        "from the viewer, the more the upper facets count for both, and the more the linear blend "
+        "is "
+        "off; with the rough ones above most of all. No model here shades diffuse facets.",
+        kBlendMeasure};
     const Rgb green{0.3, 0.6, 0.1};
     const auto orders = both_orders(stratum(0.5, 0.2), stratum(0.5, 0.8));
     const std::array materials{bare(kSmoothAbove, diffuse(green, orders[0])),
@@ -70,7 +85,13 @@ Figure lit_diffuse_figure(const StudyRun& run) {
 }
 
 Figure damaged_gold_figure(const StudyRun& run) {
-    Figure figure{"figure-10", "Figure 10: gold, damaged inwards", "", kBlendMeasure};
+    Figure figure{
+        "figure-10", "Figure 10: gold, damaged inwards",
+        "Gold of alpha 0.01, damaged to 0.8 below its surface: the damage is hidden from no "
+        "direction "
+        "from which the smooth facets are not, so that the linear blend is the same within noise. "
+        "What meets one facet lacks the light that goes on between facets of the damage.",
+        kBlendMeasure};
     std::vector<Material> materials;
     for (const double weight : {0.75, 0.5, 0.25})
         materials.push_back(
@@ -82,7 +103,12 @@ Figure damaged_gold_figure(const StudyRun& run) {
 }
 
 Figure diffuse_and_coated_figure(const StudyRun& run) {
-    Figure figure{"figure-11", "Figure 11: diffuse facets, and a coat of two roughnesses", "",
+    Figure figure{"figure-11", "Figure 11: diffuse facets, and a coat of two roughnesses",
+                  "Facets of alpha 0.02 and 0.8 in halves, diffuse ones, and those of a coat of "
+                  "index 1.5. Smooth "
+                  "above rough the linear blend is the same within noise; rough above smooth it "
+                  "shows a mirror "
+                  "image at grazing angles that the rough facets hide.",
                   kBlendMeasure};
     const auto orders = both_orders(stratum(0.5, 0.02), stratum(0.5, 0.8));
     const Rgb blue{0.05, 0.6, 0.8};
@@ -101,7 +127,13 @@ Figure diffuse_and_coated_figure(const StudyRun& run) {
 }
 
 Figure diffuse_colors_figure(const StudyRun& run) {
-    Figure figure{"figure-17", "Figure 17: diffuse facets of two colours", "", kBlendMeasure};
+    Figure figure{"figure-17", "Figure 17: diffuse facets of two colours",
+                  "Blue facets of alpha 0.1 and orange ones of 0.9 in halves. Blue above orange "
+                  "looks like the "
+                  "linear blend; orange above blue turns orange towards grazing angles, where the "
+                  "blue facets "
+                  "are hidden.",
+                  kBlendMeasure};
     const auto orders = both_orders(diffuse_stratum(0.5, 0.1, {0.1, 0.3, 0.8}),
                                     diffuse_stratum(0.5, 0.9, {0.9, 0.45, 0.1}));
     add_blends(figure, "In the studio",

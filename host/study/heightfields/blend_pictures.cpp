@@ -20,7 +20,7 @@ const char* const kBlendMeasure =
 
 namespace {
 
-constexpr std::array kModels{Model::microsurface_single};
+constexpr std::array kModels{Model::microsurface_single, Model::microsurface_compensated};
 
 constexpr std::size_t kHalves = 2;
 

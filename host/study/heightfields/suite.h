@@ -28,7 +28,8 @@ inline constexpr Suite kHeightfields{
     "Heightfields, simulated again",
     "The linear blend mixes the simulated light of the uniform surfaces by their weights, as if "
     "they lay side by side and not one above the other: it is what a renderer without this theory "
-    "does. microsurface-single is the closed form of light that meets one facet.",
+    "does. microsurface-single is the closed form of light that meets one facet; "
+    "microsurface-compensated adds what meets several as a diffuse lobe.",
     kHeightfieldsFigures};
 
 }  // namespace lacquer::study
