@@ -2,10 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <algorithm>
 
 #include "backends/jobs.h"
 #include "backends/truth.h"
