@@ -42,12 +42,10 @@ constexpr const char* kRoughAbove = "rough above smooth";
 Figure layouts_figure(const StudyRun& run) {
     Figure figure{
         "figure-7", "Figure 7: five surfaces with the same facets",
-        "Silver whose facets are in halves of alpha 0.02 and 1, Beckmann, in five orders. Where "
-        "all rough "
-        "facets lie below, hardly any light finds the order out; rough facets above hide the "
-        "smooth "
-        "ones at grazing angles, where the linear blend keeps their mirror image. What meets one "
-        "facet is too dark: rough metal passes light on from facet to facet.",
+        "Silver whose facets are in halves of alpha 0.02 and 1, Beckmann, in five orders. Smooth "
+        "facets on top hide nothing of what lies below, and the linear blend is right; rough ones "
+        "above them hide them at grazing angles, where the linear blend keeps their mirror image. "
+        "What meets one facet is too dark: rough metal passes light on from facet to facet.",
         kBlendMeasure};
     const Ndf ndf = Ndf::beckmann;
     const Stratum smooth = stratum(0.5, 0.02, ndf), rough = stratum(0.5, 1.0, ndf);
@@ -87,10 +85,9 @@ Figure lit_diffuse_figure(const StudyRun& run) {
 Figure damaged_gold_figure(const StudyRun& run) {
     Figure figure{
         "figure-10", "Figure 10: gold, damaged inwards",
-        "Gold of alpha 0.01, damaged to 0.8 below its surface: the damage is hidden from no "
-        "direction "
-        "from which the smooth facets are not, so that the linear blend is the same within noise. "
-        "What meets one facet lacks the light that goes on between facets of the damage.",
+        "Gold of alpha 0.01, damaged to 0.8 below its surface. What is left of the surface hides "
+        "nothing of the damage, so that the linear blend is the same within noise. What meets one "
+        "facet lacks the light that goes on between facets of the damage.",
         kBlendMeasure};
     std::vector<Material> materials;
     for (const double weight : {0.75, 0.5, 0.25})
