@@ -1,10 +1,13 @@
 #include "reference/coat.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <numbers>
 
+#include "reference/blended_energies.h"
 #include "reference/equivalent_alpha.h"
-#include "reference/fresnel.h"
+#include "reference/microsurface/rough_surface.h"
+#include "reference/microsurface/visible_normals.h"
 #include "reference/reflection.h"
 #include "reference/shading.h"
 
@@ -26,21 +29,40 @@ double multiple(const Coat& coat, const glm::dvec3& w) {
 
 }  // namespace
 
-Coat prepare_coat(const Microsurface& microsurface, double eta, const EnergyTables& tables) {
-    const double alpha = equivalent_ggx_alpha(microsurface, eta);
-    return {{microsurface.ndf, std::max(microsurface.alpha[0], kMinAlpha),
-             std::max(microsurface.alpha[1], kMinAlpha)},
-            eta,
-            alpha,
-            tables.t_down_profile(alpha, eta, 1.0),
-            tables.fgd_multiple_profile(alpha, eta),
-            multiple_scale(tables.fgd_multiple_average(alpha, eta))};
+Coat prepare_coat(const Roughness& roughness, double eta, const EnergyTables& tables) {
+    const Blend blend = strata_of(roughness);
+    std::vector<double> alphas;
+    std::vector<DirectionPolynomial> entering, multiple;
+    double average = 0.0;
+    for (const Stratum& stratum : blend.strata) {
+        const double alpha = equivalent_ggx_alpha(stratum.microsurface, eta);
+        alphas.push_back(alpha);
+        entering.push_back(tables.t_down_profile(alpha, eta, 1.0).polynomial());
+        multiple.push_back(tables.fgd_multiple_profile(alpha, eta));
+        average = tables.fgd_multiple_average(alpha, eta);
+    }
+    const FacetStrata facets = isotropic_strata(blend, alphas);
+    const DirectionPolynomial several = blended(facets, multiple);
+    if (multiple.size() > 1) average = std::max(2.0 * several.energy(), 0.0);
+    return {dielectric_side({eta, roughness}, 1.0), eta,
+            TransmissionProfile{blended(facets, entering)}, several, multiple_scale(average)};
 }
 
 double coat_lobe(const Coat& coat, const glm::dvec3& wi, const glm::dvec3& wo) {
-    const double single =
-        fresnel(cos_theta_halfway(wi, wo), coat.eta) * reflection_lobe(coat.facets, wi, wo);
-    return single + multiple(coat, wi) * multiple(coat, wo) * coat.multiple_scale;
+    return reflected_once(coat.side, wi, wo).x +
+           multiple(coat, wi) * multiple(coat, wo) * coat.multiple_scale;
+}
+
+double coat_mirrored_pdf(const Coat& coat, const glm::dvec3& wi, const glm::dvec3& wo) {
+    // The visible density / (4 dot(wo, wm)).
+    const glm::dvec3 wm = halfway(wi, wo);
+    const double cosine = glm::dot(wo, wm);
+    return cosine > 0.0 ? visible_density(coat.side.facets, wo, wm) / (4.0 * cosine) : 0.0;
+}
+
+glm::dvec3 coat_mirrored(const Coat& coat, const glm::dvec3& wo, const glm::dvec3& u) {
+    const glm::dvec3 wm = sample_visible_normal(coat.side.facets, wo, u).wm;
+    return 2.0 * glm::dot(wo, wm) * wm - wo;
 }
 
 double single_share(const Coat& coat, const glm::dvec3& wo) {
@@ -50,12 +72,12 @@ double single_share(const Coat& coat, const glm::dvec3& wo) {
 
 double coat_pdf(const Coat& coat, const glm::dvec3& wi, const glm::dvec3& wo) {
     const double single = single_share(coat, wo);
-    return single * reflection_pdf(coat.facets, wi, wo) + (1.0 - single) * std::max(wi.z, 0.0) / pi;
+    return single * coat_mirrored_pdf(coat, wi, wo) + (1.0 - single) * std::max(wi.z, 0.0) / pi;
 }
 
 glm::dvec3 coat_sample(const Coat& coat, const glm::dvec3& wo, double choice, const glm::dvec2& u) {
-    return choice < single_share(coat, wo) ? reflection_sample(coat.facets, wo, u)
-                                           : sample_cosine(u);
+    const double single = single_share(coat, wo);
+    return choice < single ? coat_mirrored(coat, wo, {choice / single, u}) : sample_cosine(u);
 }
 
 double coat_albedo(const Coat& coat, const glm::dvec3& w) {

@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "lacquer/material.h"
-#include "reference/facets.h"
+#include "reference/microsurface/single_scattering.h"
 #include "tables/energy_tables.h"
 
 namespace lacquer::reference {
@@ -22,16 +22,20 @@ namespace lacquer::reference {
 inline constexpr double kLeastMultipleAverage = 1e-3;
 
 struct Coat {
-    Facets facets;                 // as they are shaded: at least kMinAlpha rough
+    RoughSide side;                // as it is shaded: at least kMinAlpha rough
     double eta;                    // index below over index of the exterior
-    double alpha;                  // GGX roughness of the energies (equivalent_alpha.h)
     TransmissionProfile entering;  // what the coat does not reflect
     DirectionPolynomial multiple;  // m where it is in [0, 1]
     double multiple_scale;         // of m(wi) m(wo), an f whose albedo is m
 };
 
 // Throws Error where eta is outside the tables' range.
-Coat prepare_coat(const Microsurface& microsurface, double eta, const EnergyTables& tables);
+Coat prepare_coat(const Roughness& roughness, double eta, const EnergyTables& tables);
+
+// Densities of directions where wo is mirrored by a visible normal, and such a direction, from u in
+// [0, 1)^3 as visible_normals.h takes it; below the horizon as well.
+double coat_mirrored_pdf(const Coat& coat, const glm::dvec3& wi, const glm::dvec3& wo);
+glm::dvec3 coat_mirrored(const Coat& coat, const glm::dvec3& wo, const glm::dvec3& u);
 
 // All directions below are above the surface.
 

@@ -25,12 +25,6 @@ const Layer& only_layer(const Material& material) {
     return material.layers.front();
 }
 
-const Microsurface& uniform_microsurface(const Material& material, const Interface& interface) {
-    const auto* microsurface = std::get_if<Microsurface>(&interface.roughness);
-    if (!microsurface) refuse(material, "/layers/0/interface/blend", "the microsurface is blended");
-    return *microsurface;
-}
-
 glm::dvec3 transmittance(const Material& material, const Medium& medium) {
     if (const auto* absorbing = std::get_if<AbsorbingMedium>(&medium))
         return vector_of(absorbing->tau);
@@ -62,12 +56,11 @@ double coat_choice(const CoatedSurface& surface, const glm::dvec3& wo) {
 
 CoatedSurface prepare_coated(const Material& material, const EnergyTables& tables, BaseLobe shape) {
     const Layer& layer = only_layer(material);
-    const Microsurface& microsurface = uniform_microsurface(material, layer.interface);
     const glm::dvec3 tau = transmittance(material, layer.medium);
     const glm::dvec3 albedo = lambertian_albedo(material);
-    const Coat coat =
-        prepare_coat(microsurface, layer.interface.ior / material.exterior_ior, tables);
-    return {coat, prepare_coated_base(coat, albedo, tau, shape, tables)};
+    const double eta = layer.interface.ior / material.exterior_ior;
+    return {prepare_coat(layer.interface.roughness, eta, tables),
+            prepare_coated_base(layer.interface.roughness, eta, albedo, tau, shape, tables)};
 }
 
 glm::dvec3 eval(const CoatedSurface& surface, const glm::dvec3& wi, const glm::dvec3& wo) {

@@ -22,7 +22,7 @@ struct CoatedSurface {
 };
 
 // Throws Error naming the JSON pointer of what the model cannot shade: anything but one layer over
-// a Lambertian base, a scattering medium, a blended microsurface.
+// a Lambertian base, a scattering medium.
 CoatedSurface prepare_coated(const Material& material, const EnergyTables& tables, BaseLobe shape);
 
 // f(wi, wo), per steradian; 0 unless both directions are above the surface.

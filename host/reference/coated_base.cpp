@@ -4,6 +4,8 @@
 #include <glm/common.hpp>
 #include <numbers>
 
+#include "reference/blended_energies.h"
+#include "reference/equivalent_alpha.h"
 #include "reference/shading.h"
 
 namespace lacquer::reference {
@@ -33,24 +35,69 @@ double variance_of_all(const CoatedBase& base) {
     return energy > 0.0 ? spread / energy : base.entering[0].variance();
 }
 
+// The energies of eq. 3 at a coat, those of its strata taken together as blended_energies.h has it.
+class Energies {
+ public:
+    Energies(const Roughness& roughness, double eta, const EnergyTables& tables)
+        : eta_{eta}, tables_{tables} {
+        const Blend blend = strata_of(roughness);
+        for (const Stratum& stratum : blend.strata)
+            alphas_.push_back(equivalent_ggx_alpha(stratum.microsurface, eta));
+        facets_ = isotropic_strata(blend, alphas_);
+        from_below_ = first_met_by_diffuse_light(facets_);
+    }
+
+    TransmissionProfile entering(double tau) const {
+        std::vector<DirectionPolynomial> of_strata;
+        for (const double alpha : alphas_)
+            of_strata.push_back(tables_.t_down_profile(alpha, eta_, tau).polynomial());
+        return TransmissionProfile{blended(facets_, of_strata)};
+    }
+
+    // T10_bar, by reciprocity.
+    double leaving(double tau) const {
+        if (is_uniform()) return tables_.t_up(alphas_.front(), eta_, tau);
+        const auto at = [&](double t) { return entering(t).average() / (eta_ * eta_); };
+        return std::clamp(at(tau), 0.0, std::clamp(at(1.0), 0.0, 1.0));
+    }
+
+    // R10_bar: without absorption all that does not leave, which keeps a white base white.
+    double reflected_back(double tau) const {
+        if (is_uniform()) return tables_.r_up(alphas_.front(), eta_, tau);
+        double clear = 0.0, dimmed = 0.0;
+        for (std::size_t k = 0; k < alphas_.size(); ++k) {
+            clear += from_below_[k] * tables_.r_up(alphas_[k], eta_, 1.0);
+            dimmed += from_below_[k] * tables_.r_up(alphas_[k], eta_, tau);
+        }
+        return clear > 0.0 ? (1.0 - leaving(1.0)) * dimmed / clear : 0.0;
+    }
+
+ private:
+    bool is_uniform() const { return alphas_.size() == 1; }
+
+    double eta_;
+    const EnergyTables& tables_;
+    FacetStrata facets_;
+    std::vector<double> alphas_;  // of the strata's energies
+    StratumShares from_below_;
+};
+
 }  // namespace
 
-CoatedBase prepare_coated_base(const Coat& coat, const glm::dvec3& albedo, const glm::dvec3& tau,
-                               BaseLobe shape, const EnergyTables& tables) {
-    const auto profile = [&](int channel) {
-        return tables.t_down_profile(coat.alpha, coat.eta, tau[channel]);
-    };
+CoatedBase prepare_coated_base(const Roughness& roughness, double eta, const glm::dvec3& albedo,
+                               const glm::dvec3& tau, BaseLobe shape, const EnergyTables& tables) {
+    const Energies energies{roughness, eta, tables};
     CoatedBase base{shape,
-                    {profile(0), profile(1), profile(2)},
-                    tables.t_down_profile(coat.alpha, coat.eta, 1.0),
+                    {energies.entering(tau.x), energies.entering(tau.y), energies.entering(tau.z)},
+                    energies.entering(1.0),
                     {},
                     {},
                     {}};
     for (int channel = 0; channel < 3; ++channel) {
-        const double trapped = albedo[channel] * tables.r_up(coat.alpha, coat.eta, tau[channel]);
+        const double trapped = albedo[channel] * energies.reflected_back(tau[channel]);
         const double reflected = albedo[channel] / (1.0 - trapped);
-        base.returned[channel] = reflected * tables.t_up(coat.alpha, coat.eta, tau[channel]);
-        base.spread[channel] = reflected / (pi * coat.eta * coat.eta);
+        base.returned[channel] = reflected * energies.leaving(tau[channel]);
+        base.spread[channel] = reflected / (pi * eta * eta);
     }
     base.lobe = prepare_normal_lobe(variance_of_all(base), tables);
     return base;

@@ -10,8 +10,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "reference/coat.h"
+#include "lacquer/material.h"
 #include "reference/normal_lobe.h"
+#include "tables/energy_tables.h"
 
 namespace lacquer::reference {
 
@@ -31,9 +32,10 @@ struct CoatedBase {
     NormalLobe lobe;    // of `ggx`: the variance of its light, all channels and directions together
 };
 
-// `albedo` of the base and `tau` of the medium above it in [0, 1].
-CoatedBase prepare_coated_base(const Coat& coat, const glm::dvec3& albedo, const glm::dvec3& tau,
-                               BaseLobe shape, const EnergyTables& tables);
+// `eta`: index of the coat over that of the exterior; `albedo` of the base and `tau` of the medium
+// above it in [0, 1].
+CoatedBase prepare_coated_base(const Roughness& roughness, double eta, const glm::dvec3& albedo,
+                               const glm::dvec3& tau, BaseLobe shape, const EnergyTables& tables);
 
 // All directions below are above the surface.
 

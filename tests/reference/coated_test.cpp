@@ -286,8 +286,10 @@ TEST(Coated, ChoosesTheCoatAsDocumented) {
     const double once = coat * single_share(surface.coat, wo);
     const glm::dvec2 point{0.25, 0.5};
     const auto chosen = [&](double u) { return sample(surface, wo, {u, point.x, point.y}).wi; };
-    EXPECT_EQ(chosen(0.0), reflection_sample(surface.coat.facets, wo, point));
-    EXPECT_EQ(chosen(once - 1e-9), reflection_sample(surface.coat.facets, wo, point));
+    EXPECT_EQ(chosen(0.0),
+              reflection_sample(surface.coat.side.facets.strata.front().facets, wo, point));
+    EXPECT_EQ(chosen(once - 1e-9),
+              reflection_sample(surface.coat.side.facets.strata.front().facets, wo, point));
     // Malley's method for what met more than one facet, and for the base.
     for (const double u : {once + 1e-9, coat - 1e-9, coat + 1e-9, 1.0 - 1e-9})
         EXPECT_NEAR(chosen(u).z, std::sqrt(1 - point.x), 1e-12) << u;

@@ -16,6 +16,17 @@ std::string describe(const Medium& medium, std::size_t channel) {
                        slab.sigma_s[channel], slab.g);
 }
 
+std::string describe(const Roughness& roughness) {
+    if (const auto* uniform = std::get_if<Microsurface>(&roughness))
+        return fmt::format("alpha {:.2f}", uniform->alpha[0]);
+    const Blend& blend = std::get<Blend>(roughness);
+    std::string text = blend.op == Blend::Operator::symmetric ? "mixed" : "strata";
+    for (const Stratum& stratum : blend.strata)
+        text +=
+            fmt::format(" {:.2f} of alpha {:.2f}", stratum.weight, stratum.microsurface.alpha[0]);
+    return text;
+}
+
 }  // namespace
 
 double uniform(std::mt19937_64& generator, double low, double high) {
@@ -59,18 +70,45 @@ glm::dvec3 direction(double cos_theta) {
     return {std::sqrt(1.0 - cos_theta * cos_theta), 0.0, cos_theta};
 }
 
+void make_blended(std::mt19937_64& generator, Configuration& at, double max_alpha) {
+    const auto blend = [&] {
+        Blend strata;
+        strata.op = uniform(generator, 0.0, 1.0) < 0.3 ? Blend::Operator::symmetric
+                                                       : Blend::Operator::asymmetric;
+        const int count = uniform(generator, 0.0, 1.0) < 0.7 ? 2 : 3;
+        double sum = 0.0;
+        for (int k = 0; k < count; ++k) {
+            const double weight = uniform(generator, 0.1, 1.0);
+            sum += weight;
+            strata.strata.push_back(
+                {weight, isotropic(uniform(generator, 0.0, max_alpha)), {}, {}, {}});
+        }
+        for (Stratum& stratum : strata.strata) stratum.weight /= sum;
+        return strata;
+    };
+    for (Layer& layer : at.material.layers) layer.interface.roughness = blend();
+    auto* conductor = std::get_if<ConductorBase>(&at.material.base);
+    if (!conductor) return;
+    Blend strata = blend();
+    if (uniform(generator, 0.0, 1.0) < 0.5)
+        for (Stratum& stratum : strata.strata) {
+            stratum.eta = uniform_rgb(generator, 0.1, 3.0);
+            stratum.kappa = uniform_rgb(generator, 0.5, 8.0);
+        }
+    conductor->roughness = strata;
+}
+
 std::string describe(const Configuration& at, std::size_t channel) {
     std::string text = fmt::format("cos {:.2f}", at.cos_theta);
     for (const Layer& layer : at.material.layers)
-        text += fmt::format(", [ior {:.2f} alpha {:.2f} {}]", layer.interface.ior,
-                            std::get<Microsurface>(layer.interface.roughness).alpha[0],
-                            describe(layer.medium, channel));
+        text += fmt::format(", [ior {:.2f} {} {}]", layer.interface.ior,
+                            describe(layer.interface.roughness), describe(layer.medium, channel));
     if (const auto* lambertian = std::get_if<LambertianBase>(&at.material.base))
         return text + fmt::format(", albedo {:.2f}", lambertian->albedo[channel]);
     if (std::holds_alternative<NoBase>(at.material.base)) return text;
     const auto& base = std::get<ConductorBase>(at.material.base);
-    return text + fmt::format(", conductor {:.2f} + {:.2f} i alpha {:.2f}", base.eta[channel],
-                              base.kappa[channel], std::get<Microsurface>(base.roughness).alpha[0]);
+    return text + fmt::format(", conductor {:.2f} + {:.2f} i {}", base.eta[channel],
+                              base.kappa[channel], describe(base.roughness));
 }
 
 }  // namespace lacquer::test

@@ -27,6 +27,10 @@ glm::dvec3 direction(double cos_theta);
 Configuration random_configuration(std::mt19937_64& generator, BaseKind base, int coats,
                                    double max_alpha = 0.8);
 
+// Every interface and a conductor then have two or three strata of alphas up to `max_alpha`, mixed
+// or one above the other; half of the conductors an index for each.
+void make_blended(std::mt19937_64& generator, Configuration& at, double max_alpha = 0.8);
+
 std::string describe(const Configuration& at, std::size_t channel);
 
 }  // namespace lacquer::test

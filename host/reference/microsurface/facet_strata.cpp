@@ -95,6 +95,14 @@ StratumShares masking(const FacetStrata& surface, const glm::dvec3& w) {
     return visible(surface, lambdas_of(surface, w));
 }
 
+StratumShares first_met(const FacetStrata& surface, const glm::dvec3& w) {
+    if (surface.strata.size() == 1) return {1.0};
+    StratumShares shares = masking(surface, w);
+    for (std::size_t k = 0; k < shares.size(); ++k)
+        shares[k] *= 1.0 + lambda(surface.strata[k].facets, w);
+    return shares;
+}
+
 StratumShares masking_shadowing(const FacetStrata& surface, const glm::dvec3& wi,
                                 const glm::dvec3& wo) {
     if (is_mixed(surface))

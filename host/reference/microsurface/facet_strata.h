@@ -44,6 +44,10 @@ using StratumShares = std::vector<double>;
 // Visible from w: G1(w) divided among the strata.
 StratumShares masking(const FacetStrata& surface, const glm::dvec3& w);
 
+// The part of light along w that meets its first facet in each stratum, however the facets tilt:
+// together 1. What is visible of the facets times their projected area, over cos_theta.
+StratumShares first_met(const FacetStrata& surface, const glm::dvec3& w);
+
 // Visible from wi and from wo: G2 divided among the strata. Eqs. 13 to 19, of any number of strata.
 StratumShares masking_shadowing(const FacetStrata& surface, const glm::dvec3& wi,
                                 const glm::dvec3& wo);

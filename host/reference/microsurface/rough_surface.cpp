@@ -46,15 +46,6 @@ RoughSide conductor_side(const ConductorBase& base, double exterior_ior) {
     });
 }
 
-RoughSide dielectric_side(const Interface& interface, double exterior_ior) {
-    const double eta = interface.ior / exterior_ior;
-    RoughSide side = side_of(interface.roughness, [&](const Stratum&) {
-        return FacetIndex{eta, eta, eta};
-    });
-    side.refracts = true;
-    return side;
-}
-
 glm::dvec3 transmittance_of(const Medium& medium) {
     if (const auto* absorbing = std::get_if<AbsorbingMedium>(&medium))
         return vector_of(absorbing->tau);
@@ -63,6 +54,15 @@ glm::dvec3 transmittance_of(const Medium& medium) {
 }
 
 }  // namespace
+
+RoughSide dielectric_side(const Interface& interface, double exterior_ior) {
+    const double eta = interface.ior / exterior_ior;
+    RoughSide side = side_of(interface.roughness, [&](const Stratum&) {
+        return FacetIndex{eta, eta, eta};
+    });
+    side.refracts = true;
+    return side;
+}
 
 RoughSurface rough_surface(const Material& material, Model model) {
     require_shadeable(material, model);

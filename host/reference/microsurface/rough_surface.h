@@ -21,6 +21,9 @@ struct RoughSurface {
     bool is_there = true;            // a surface between equal indices is not
 };
 
+// A dielectric interface as met from the exterior, of facets at least kMinAlpha rough.
+RoughSide dielectric_side(const Interface& interface, double exterior_ior);
+
 // Throws Error naming the JSON pointer of what `model` cannot shade: anything but one interface
 // without a base or a bare conductor, diffuse strata, a medium that scatters.
 RoughSurface rough_surface(const Material& material, Model model);

@@ -23,16 +23,15 @@ double visible_density(const FacetStrata& surface, const glm::dvec3& w, const gl
     return sum * std::max(glm::dot(w, wm), 0.0) / w.z;
 }
 
-// The visible shares times the strata's projected areas, over cos_theta, add up to 1.
 VisibleNormal sample_visible_normal(const FacetStrata& surface, const glm::dvec3& w,
                                     const glm::dvec3& u) {
-    const StratumShares visible = masking(surface, w);
-    const std::size_t last = visible.size() - 1;
+    const StratumShares first = first_met(surface, w);
+    const std::size_t last = first.size() - 1;
     std::size_t k = 0;
     double below = 0.0;  // sum of the probabilities of the strata before k
     double probability = 1.0;
     for (;; ++k) {
-        probability = visible[k] * (1.0 + lambda(surface.strata[k].facets, w));
+        probability = first[k];
         if (k == last || u.x < below + probability) break;
         below += probability;
     }

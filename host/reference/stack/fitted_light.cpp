@@ -31,7 +31,7 @@ std::size_t next_with_light(std::size_t n, const std::array<LobeLight, kCubicNod
 
 double least_entering_cosine(const StackInterface& top) {
     const double eta = top.eta(true);
-    return std::max(std::sqrt(std::max(1.0 - eta * eta, 0.0)) - top.alpha, 0.0);
+    return std::max(std::sqrt(std::max(1.0 - eta * eta, 0.0)) - top.greatest_alpha(), 0.0);
 }
 
 }  // namespace

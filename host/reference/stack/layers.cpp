@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "reference/blended_energies.h"
 #include "reference/equivalent_alpha.h"
 #include "reference/fresnel.h"
 #include "reference/shading.h"
@@ -22,17 +23,10 @@ constexpr double kMaxTableIndex = 5.0, kMaxTableKappa = 10.0;
 
 [[noreturn]] void refuse(const Material& material, const std::string& pointer,
                          const std::string& found) {
-    throw Error{
-        fmt::format("material '{}': {}: {}; stacks have uniform microsurfaces and media over a"
-                    " conductor, a Lambertian base or none",
-                    material.name, pointer, found)};
-}
-
-const Microsurface& uniform(const Material& material, const Roughness& roughness,
-                            const std::string& pointer) {
-    const auto* microsurface = std::get_if<Microsurface>(&roughness);
-    if (!microsurface) refuse(material, pointer + "/blend", "the microsurface is blended");
-    return *microsurface;
+    throw Error{fmt::format(
+        "material '{}': {}: {}; stacks have rough interfaces and media over a conductor,"
+        " a Lambertian base or none",
+        material.name, pointer, found)};
 }
 
 // Of light that a black medium would let through.
@@ -58,27 +52,46 @@ StackMedium prepare_medium(const Medium& medium) {
     return prepared;
 }
 
-StackInterface prepare_interface(const Microsurface& microsurface, double above, double below,
+StackInterface prepare_interface(const Roughness& roughness, double above, double below,
                                  const EnergyTables& tables) {
+    const Blend blend = strata_of(roughness);
     const double eta = below / above;
-    const double alpha = equivalent_ggx_alpha(microsurface, eta);
-    return {alpha, equivalent_lobe_alpha(microsurface), above,
-            below, tables.clear_profile(alpha, eta),    tables.clear_profile(alpha, 1.0 / eta)};
+    StackInterface interface { {}, {}, above, below };
+    std::vector<double> alphas;
+    for (const Stratum& stratum : blend.strata) {
+        const double alpha = equivalent_ggx_alpha(stratum.microsurface, eta);
+        alphas.push_back(alpha);
+        interface.strata.push_back({alpha, equivalent_lobe_alpha(stratum.microsurface),
+                                    tables.clear_profile(alpha, eta),
+                                    tables.clear_profile(alpha, 1.0 / eta)});
+    }
+    interface.facets = isotropic_strata(blend, alphas);
+    return interface;
 }
 
 // An isotropic roughness for an anisotropic one: the mean, as equivalent_alpha.h has it.
-StackConductor prepare_conductor(const ConductorBase& base, const Microsurface& microsurface,
-                                 double ior_above, const EnergyTables& tables) {
-    StackConductor conductor{0.5 * (microsurface.alpha[0] + microsurface.alpha[1]),
-                             equivalent_lobe_alpha(microsurface),
-                             {},
-                             {}};
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        conductor.eta[channel] = std::complex{base.eta[channel], base.kappa[channel]} / ior_above;
-        conductor.fgd[channel] = tables.fgd_conductor_profile(
-            conductor.alpha, std::min(conductor.eta[channel].real(), kMaxTableIndex),
-            std::min(conductor.eta[channel].imag(), kMaxTableKappa));
+StackConductor prepare_conductor(const ConductorBase& base, double ior_above,
+                                 const EnergyTables& tables) {
+    const Blend blend = strata_of(base.roughness);
+    StackConductor conductor;
+    std::vector<double> alphas;
+    for (const Stratum& stratum : blend.strata) {
+        const Microsurface& microsurface = stratum.microsurface;
+        const Rgb eta = stratum.eta.value_or(base.eta), kappa = stratum.kappa.value_or(base.kappa);
+        ConductorStratum prepared{0.5 * (microsurface.alpha[0] + microsurface.alpha[1]),
+                                  equivalent_lobe_alpha(microsurface),
+                                  {},
+                                  {}};
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            prepared.eta[channel] = std::complex{eta[channel], kappa[channel]} / ior_above;
+            prepared.fgd[channel] = tables.fgd_conductor_profile(
+                prepared.alpha, std::min(prepared.eta[channel].real(), kMaxTableIndex),
+                std::min(prepared.eta[channel].imag(), kMaxTableKappa));
+        }
+        alphas.push_back(prepared.alpha);
+        conductor.strata.push_back(prepared);
     }
+    conductor.facets = isotropic_strata(blend, alphas);
     return conductor;
 }
 
@@ -88,17 +101,34 @@ double StackInterface::eta(bool downwards) const {
     return downwards ? ior_below / ior_above : ior_above / ior_below;
 }
 
-double StackInterface::transmittance(double cosine, bool downwards) const {
+StratumShares StackInterface::first_met(double cosine, bool downwards) const {
+    return downwards ? first_met_at(facets, cosine) : first_met_from_below(facets, cosine);
+}
+
+double StackInterface::transmittance(const InterfaceStratum& stratum, double cosine,
+                                     bool downwards) const {
     // The tables are as far off as smooth interfaces need not be.
-    if (alpha < kMinAlpha) return 1.0 - fresnel(cosine, eta(downwards));
-    return std::clamp((downwards ? from_above : from_below).at(cosine), 0.0, 1.0);
+    if (stratum.alpha < kMinAlpha) return 1.0 - fresnel(cosine, eta(downwards));
+    return std::clamp((downwards ? stratum.from_above : stratum.from_below).at(cosine), 0.0, 1.0);
+}
+
+double StackInterface::transmittance(double cosine, bool downwards) const {
+    const StratumShares first = first_met(cosine, downwards);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < strata.size(); ++k)
+        sum += first[k] * transmittance(strata[k], cosine, downwards);
+    return sum;
+}
+
+double StackInterface::greatest_alpha() const {
+    return std::ranges::max(strata, {}, &InterfaceStratum::alpha).alpha;
 }
 
 Energy StackMedium::transmittance(double cosine) const {
     return glm::exp(-absorption / std::max(cosine, 1e-3));
 }
 
-Energy StackConductor::albedo(double cosine, double mean) const {
+Energy ConductorStratum::albedo(double cosine, double mean) const {
     Energy reflected{0.0};
     for (int channel = 0; channel < 3; ++channel) {
         const auto c = static_cast<std::size_t>(channel);
@@ -108,24 +138,31 @@ Energy StackConductor::albedo(double cosine, double mean) const {
     return reflected;
 }
 
+StratumShares StackConductor::first_met(double cosine) const {
+    return first_met_at(facets, cosine);
+}
+
 StackLayers prepare_layers(const Material& material, const EnergyTables& tables) {
     if (material.layers.empty()) refuse(material, "/layers", "there is none");
     StackLayers layers{{}, {}, {}, &tables, std::holds_alternative<NoBase>(material.base)};
     double above = material.exterior_ior;
     for (std::size_t n = 0; n < material.layers.size(); ++n) {
         const Layer& layer = material.layers[n];
-        const std::string pointer = fmt::format("/layers/{}", n);
         layers.interfaces.push_back(
-            prepare_interface(uniform(material, layer.interface.roughness, pointer + "/interface"),
-                              above, layer.interface.ior, tables));
+            prepare_interface(layer.interface.roughness, above, layer.interface.ior, tables));
         layers.media.push_back(prepare_medium(layer.medium));
         above = layer.interface.ior;
     }
     if (std::holds_alternative<DiffuseFacetsBase>(material.base))
         refuse(material, "/base", "it is made of diffuse facets");
-    if (const auto* base = std::get_if<ConductorBase>(&material.base))
-        layers.conductor =
-            prepare_conductor(*base, uniform(material, base->roughness, "/base"), above, tables);
+    if (const auto* base = std::get_if<ConductorBase>(&material.base)) {
+        const Blend blend = strata_of(base->roughness);
+        for (std::size_t k = 0; k < blend.strata.size(); ++k)
+            if (blend.strata[k].albedo)
+                refuse(material, fmt::format("/base/conductor/blend/strata/{}/albedo", k),
+                       "it is made of diffuse facets");
+        layers.conductor = prepare_conductor(*base, above, tables);
+    }
     return layers;
 }
 

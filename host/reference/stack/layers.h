@@ -8,23 +8,39 @@
 #include <vector>
 
 #include "lacquer/material.h"
+#include "reference/microsurface/facet_strata.h"
 #include "reference/stack/beam.h"
 #include "reference/stack/scattering.h"
 #include "tables/energy_tables.h"
 
 namespace lacquer::reference {
 
-struct StackInterface {
-    double alpha;                 // GGX roughness of its energies (equivalent_alpha.h)
-    double lobe_alpha;            // and of its lobes (equivalent_lobe_alpha.h)
-    double ior_above, ior_below;  // absolute
+// What the facets of one stratum would make of a whole interface.
+struct InterfaceStratum {
+    double alpha;       // GGX roughness of its energies (equivalent_alpha.h)
+    double lobe_alpha;  // and of its lobes (equivalent_lobe_alpha.h)
     DirectionPolynomial from_above, from_below;
+};
+
+// Of one stratum where it is uniform. Of several, each takes part in what the interface does by the
+// light that meets its first facet there (blended_energies.h).
+struct StackInterface {
+    FacetStrata facets;  // for first_met alone
+    std::vector<InterfaceStratum> strata;
+    double ior_above, ior_below;  // absolute
 
     // The index of the medium that light enters over that of its own.
     double eta(bool downwards) const;
 
-    // The share of light at `cosine` in [0, 1] that crosses it, all orders of scattering.
+    // The parts of light at `cosine` in [0, 1] that meet the strata first.
+    StratumShares first_met(double cosine, bool downwards) const;
+
+    // The share of that light that crosses it, all orders of scattering: of a stratum, and of all.
+    double transmittance(const InterfaceStratum& stratum, double cosine, bool downwards) const;
     double transmittance(double cosine, bool downwards) const;
+
+    // Energies' roughness of the roughest stratum.
+    double greatest_alpha() const;
 };
 
 struct StackMedium {
@@ -36,15 +52,24 @@ struct StackMedium {
     Energy transmittance(double cosine) const;
 };
 
-struct StackConductor {
+// What the facets of one stratum would make of a whole conductor.
+struct ConductorStratum {
     double alpha;                             // of its energies
-    double lobe_alpha;                        // see StackInterface
+    double lobe_alpha;                        // see InterfaceStratum
     std::array<std::complex<double>, 3> eta;  // relative to the medium above it
     std::array<DirectionPolynomial, 3> fgd;
 
     // What it reflects of light at `cosine`, all orders of scattering, for a lobe about `mean`: of
     // a smooth one the polynomials know the differences between directions better than the values.
     Energy albedo(double cosine, double mean) const;
+};
+
+// See StackInterface.
+struct StackConductor {
+    FacetStrata facets;
+    std::vector<ConductorStratum> strata;
+
+    StratumShares first_met(double cosine) const;
 };
 
 struct StackLayers {
@@ -58,7 +83,7 @@ struct StackLayers {
 };
 
 // `tables` must outlive the result. Throws Error naming the JSON pointer of what a stack cannot be
-// made of: no interface, a blended microsurface, diffuse facets.
+// made of: no interface, diffuse facets, diffuse strata.
 StackLayers prepare_layers(const Material& material, const EnergyTables& tables);
 
 }  // namespace lacquer::reference

@@ -72,10 +72,11 @@ Chosen direction_from(const StackView& seen, const glm::dvec3& u) {
     const std::vector<double>& choice = seen.choice;
     const glm::dvec2 point{u.y, u.z};
     double left = u.x;
-    if (left < choice.front())
-        return {left < choice.front() * once_choice(seen)
-                    ? reflection_sample(seen.surface->top.facets, seen.wo, point)
-                    : sample_cosine(point)};
+    if (left < choice.front()) {
+        const double once = choice.front() * once_choice(seen);
+        return {left < once ? coat_mirrored(seen.surface->top, seen.wo, {left / once, point})
+                            : sample_cosine(point)};
+    }
     left -= choice.front();
     for (std::size_t n = 0; n < seen.lobes.size(); ++n) {
         if (left < choice[n + 1])
@@ -100,8 +101,8 @@ StackSurface prepare_stack(const Material& material, const EnergyTables& tables,
                            ConductorLobe conductor_lobe) {
     StackLayers layers = prepare_layers(material, tables);
     const Interface& interface = material.layers.front().interface;
-    const Coat top = prepare_coat(std::get<Microsurface>(interface.roughness),
-                                  interface.ior / material.exterior_ior, tables);
+    const Coat top =
+        prepare_coat(interface.roughness, interface.ior / material.exterior_ior, tables);
     StackSurface surface{std::move(layers), top, conductor_lobe, {}, {}};
     const auto* base = std::get_if<LambertianBase>(&material.base);
     if (!base && lobes == StackLobes::forward) return surface;
@@ -184,9 +185,8 @@ double pdf(const StackView& seen, const glm::dvec3& wi) {
     if (wi.z < 0.0) return pdf_below(seen, wi);
     if (!is_above(wi)) return 0.0;
     const double once = once_choice(seen), diffuse = wi.z / pi;
-    double density =
-        choice.front() *
-        (once * reflection_pdf(seen.surface->top.facets, wi, seen.wo) + (1.0 - once) * diffuse);
+    double density = choice.front() * (once * coat_mirrored_pdf(seen.surface->top, wi, seen.wo) +
+                                       (1.0 - once) * diffuse);
     for (std::size_t n = 0; n < seen.lobes.size(); ++n)
         density += choice[n + 1] * reflection_pdf(facets_of(seen.lobes[n]), wi, seen.wo);
     return density + choice[diffuse_choice(seen)] * diffuse;

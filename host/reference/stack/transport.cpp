@@ -188,23 +188,32 @@ class Transport {
         const StackInterface& interface = *levels_[n].interface;
         const StackMedium* medium = downwards ? levels_[n].above : levels_[n].below;
         const Cosines cosines = layers_.tables->lobe(beam.cosine, beam.alpha()).cosines;
-        Part reflected, refracted;
-        for (const double cosine : cosines) {
-            const Energy arriving = crossing(medium, cosine);
-            const double share = interface.transmittance(cosine, downwards);
-            refracted.add(arriving * share, light, cosine);
-            reflected.add(arriving * (1.0 - share), light, cosine);
-        }
-        remember(n, downwards, reflected.share(), refracted.share());
-
+        std::vector<StratumShares> first;
+        for (const double cosine : cosines) first.push_back(interface.first_met(cosine, downwards));
         const double eta = interface.eta(downwards);
-        const FacetEffect facets = facet_effect(beam.cosine, interface.alpha, eta);
         const double mean = mean_of(cosines);
-        const Beam kept = mirrored(reflected.of(beam, mean), interface.lobe_alpha, facets);
-        Beam passed = is_way_out(n, downwards)
-                          ? let_out(refracted.by_sine(beam, cosines), interface, eta)
-                          : bent(refracted.of(beam, mean), beam, interface.lobe_alpha, eta,
-                                 facets.crossing_sine);
+        Energy reflected_share{0.0}, refracted_share{0.0};
+        Beam kept, passed;
+        for (std::size_t k = 0; k < interface.strata.size(); ++k) {
+            const InterfaceStratum& stratum = interface.strata[k];
+            Part reflected, refracted;
+            for (std::size_t node = 0; node < cosines.size(); ++node) {
+                const double cosine = cosines[node];
+                const Energy arriving = crossing(medium, cosine) * first[node][k];
+                const double share = interface.transmittance(stratum, cosine, downwards);
+                refracted.add(arriving * share, light, cosine);
+                reflected.add(arriving * (1.0 - share), light, cosine);
+            }
+            reflected_share += reflected.share();
+            refracted_share += refracted.share();
+            const FacetEffect facets = facet_effect(beam.cosine, stratum.alpha, eta);
+            kept.add(mirrored(reflected.of(beam, mean), stratum.lobe_alpha, facets));
+            passed.add(is_way_out(n, downwards)
+                           ? let_out(refracted.by_sine(beam, cosines), stratum, eta)
+                           : bent(refracted.of(beam, mean), beam, stratum.lobe_alpha, eta,
+                                  facets.crossing_sine));
+        }
+        remember(n, downwards, reflected_share, refracted_share);
         if (all_enters_ && n == 0 && downwards) passed.through.energy = Energy{1.0};
         send_on(n, downwards, kept, passed);
     }
@@ -285,9 +294,9 @@ class Transport {
 
     // Light that leaves for good: its direction and width are seen, not only what they make of
     // energies, so that facets are looked at from the mean of the part that passes.
-    static Beam let_out(const Beam& part, const StackInterface& interface, double eta) {
-        return bent(part, part, interface.lobe_alpha, eta,
-                    facet_effect(part.cosine, interface.alpha, eta).refracted_sine);
+    static Beam let_out(const Beam& part, const InterfaceStratum& stratum, double eta) {
+        return bent(part, part, stratum.lobe_alpha, eta,
+                    facet_effect(part.cosine, stratum.alpha, eta).refracted_sine);
     }
 
     // What is reflected below the top interface has met an interface.
@@ -314,21 +323,32 @@ class Transport {
         const Energy light = beam.energy();
         if (sum(light) <= 0.0) return;
         const Cosines cosines = layers_.tables->lobe(beam.cosine, beam.alpha()).cosines;
-        Part remaining;
-        for (const double cosine : cosines) {
-            Energy share = crossing(levels_.back().below, cosine);
-            if (layers_.conductor) share *= layers_.conductor->albedo(cosine, beam.cosine);
-            remaining.add(share, light, cosine);
-        }
-        base_share_ = remaining.share();
-        Beam left = remaining.of(beam, mean_of(cosines));
-        if (!layers_.conductor) {
-            (first_pass_ ? light_.straight : light_.detoured).add(left);
+        if (layers_.conductor) {
+            base_share_ = Energy{0.0};
+            for (std::size_t k = 0; k < layers_.conductor->strata.size(); ++k)
+                meet_conductor(k, beam, cosines);
             return;
         }
-        if (layers_.conductor->lobe_alpha >= kMinAlpha)
-            left.for_each_lobe(
-                [&](LobeLight& lobe) { lobe.reflect(layers_.conductor->lobe_alpha); });
+        Part arriving;
+        for (const double cosine : cosines)
+            arriving.add(crossing(levels_.back().below, cosine), light, cosine);
+        base_share_ = arriving.share();
+        (first_pass_ ? light_.straight : light_.detoured).add(arriving.of(beam, mean_of(cosines)));
+    }
+
+    // Of a beam what facets of stratum k reflect first.
+    void meet_conductor(std::size_t k, const Beam& beam, const Cosines& cosines) {
+        const ConductorStratum& stratum = layers_.conductor->strata[k];
+        Part remaining;
+        for (const double cosine : cosines)
+            remaining.add(crossing(levels_.back().below, cosine) *
+                              layers_.conductor->first_met(cosine)[k] *
+                              stratum.albedo(cosine, beam.cosine),
+                          beam.energy(), cosine);
+        base_share_ += remaining.share();
+        Beam left = remaining.of(beam, mean_of(cosines));
+        if (stratum.lobe_alpha >= kMinAlpha)
+            left.for_each_lobe([&](LobeLight& lobe) { lobe.reflect(stratum.lobe_alpha); });
         left.base.add(left.interfaces);
         left.base.add(left.through);
         left.through = left.interfaces = {};

@@ -30,6 +30,11 @@ double refracted_cosine(double cosine, double eta) {
     return std::max(direction_of(sine).x, kLeastCosine);
 }
 
+// Of a uniform interface, as the paper has no others.
+double alpha_of(const StackInterface& at) {
+    return at.strata.front().alpha;
+}
+
 // What is left of the transmittance along the mean of a GGX lobe of roughness alpha. 2018, Eq. 33.
 double left_of_lobe(const EnergyTables& tables, double cosine, double alpha, double eta) {
     const double along_mean = 1.0 - fresnel(cosine, eta);
@@ -61,16 +66,16 @@ Energy coated_base(const StackLayers& layers, const glm::dvec3& albedo, double c
     Energy energy{0.0};
     for (int channel = 0; channel < 3; ++channel) {
         const double rho = albedo[channel], through = tau[channel];
-        energy[channel] = tables.t_down(cosine, at.alpha, eta, through) * rho /
-                          (1.0 - rho * tables.r_up(at.alpha, eta, through)) *
-                          tables.t_up(at.alpha, eta, through);
+        energy[channel] = tables.t_down(cosine, alpha_of(at), eta, through) * rho /
+                          (1.0 - rho * tables.r_up(alpha_of(at), eta, through)) *
+                          tables.t_up(alpha_of(at), eta, through);
     }
     return energy;
 }
 
 // sigma_2+ of an interface, in the space of f: tabled over eta and alpha alone.
 double most_variance(const StackLayers& layers, const StackInterface& at) {
-    const double variance = layers.tables->variance(at.alpha, at.eta(true), 1.0);
+    const double variance = layers.tables->variance(alpha_of(at), at.eta(true), 1.0);
     return p2018::variance_of_alpha(layers.tables->equivalent_alpha(variance));
 }
 
@@ -86,7 +91,7 @@ Arriving arriving_at_last(const StackLayers& layers, double cosine) {
     for (std::size_t n = 0; n + 1 < layers.count(); ++n) {
         const double below = refracted_cosine(all.cosine, layers.interfaces[n].eta(true));
         const Coefficients at =
-            coefficients(layers, n, all.cosine, below, layers.interfaces[n + 1].alpha);
+            coefficients(layers, n, all.cosine, below, alpha_of(layers.interfaces[n + 1]));
         const Energy again = series(all.reflected_back * at.reflected_down);
         all.transmitted *= at.transmitted_down * again;
         all.reflected_back =
@@ -119,11 +124,11 @@ class Rising {
         energy_ *= along_normal.transmitted_up * series(round_trip);
 
         const double again = mean(glm::dvec3{round_trip * series(round_trip)});
-        const double own = p2018::variance_of_alpha(at.alpha);
-        const double next = p2018::variance_of_alpha(layers_.interfaces[n + 1].alpha);
+        const double own = p2018::variance_of_alpha(alpha_of(at));
+        const double next = p2018::variance_of_alpha(alpha_of(layers_.interfaces[n + 1]));
         const double scale = p2018::refraction_scale(1.0, 1.0, 1.0 / eta);
         variance_ = p2018::refracted_variance(variance_ + (own + next) * again, 1.0 / eta) +
-                    p2018::variance_of_alpha(scale * at.alpha);
+                    p2018::variance_of_alpha(scale * alpha_of(at));
         variance_ = std::min(variance_, most_variance(layers_, at));
 
         Energy seen = along_normal.reflected_down;
