@@ -81,7 +81,8 @@ std::string layers_wanted(Target target) {
     return fmt::format(
         "//\n"
         "// Define lq_stack_row above: a row of the layers' parameters, three for each layer "
-        "(LqStackMaterial),\n"
+        "and one\n"
+        "// for each stratum of a blended interface (LqStackMaterial),\n"
         "// from a buffer or an array:\n"
         "//     {}\n",
         layer_access(dialect_of(target)));

@@ -1,5 +1,7 @@
 #include "backends/pack_stack.h"
 
+#include <algorithm>
+
 #include "backends/pack_row.h"
 #include "material/numbers.h"
 #include "shading/stack_parameters.h"
@@ -15,12 +17,9 @@ std::array<glm::vec4, kStackRows> pack_stack(const Material& material, Model mod
                facets.y};
     rows[1] = colour_row(conducts ? stack.eta : stack.albedo, facets.w);
     rows[2] = colour_row(stack.kappa);
-    for (std::size_t n = 0; n < stack.layers.size(); ++n) {
-        const StackParameters::Layer& layer = stack.layers[n];
-        rows[3 + 3 * n] = facets_row(layer.microsurface, layer.index);
-        rows[4 + 3 * n] = colour_row(layer.absorption, layer.g);
-        rows[5 + 3 * n] = colour_row(layer.scattering);
-    }
+    std::ranges::transform(layer_rows(stack), rows.begin() + 3, [](const std::array<double, 4>& r) {
+        return glm::vec4{r[0], r[1], r[2], r[3]};
+    });
     return rows;
 }
 

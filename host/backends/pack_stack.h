@@ -9,7 +9,8 @@
 
 namespace lacquer {
 
-inline constexpr std::size_t kStackRows = 3 + 3 * kMaxLayers;  // LQ_MODEL_ROWS there
+// LQ_MODEL_ROWS there.
+inline constexpr std::size_t kStackRows = 3 + (3 + kMaxStrata) * kMaxLayers;
 
 // Throws Error naming the material and the JSON pointer of what `model` cannot shade.
 std::array<glm::vec4, kStackRows> pack_stack(const Material& material, Model model);

@@ -61,10 +61,21 @@ bool is_blend(const Roughness& roughness) {
 
 constexpr std::string_view kNoBlend = "cannot shade a blended microsurface";
 
+std::optional<Refusal> refused_strata(const Roughness& roughness, const std::string& pointer) {
+    const auto* blend = std::get_if<Blend>(&roughness);
+    if (blend == nullptr || blend->strata.size() <= kMaxStrata) return std::nullopt;
+    return Refusal{fmt::format("{}/blend/strata/{}", pointer, kMaxStrata),
+                   fmt::format("shades at most {} strata", kMaxStrata)};
+}
+
 std::optional<Refusal> refused_layer(const Layer& layer, const std::string& pointer,
                                      const Scope& scope) {
-    if (!scope.one_surface && is_blend(layer.interface.roughness))
+    if (scope.whole_stacks) {
+        if (auto refusal = refused_strata(layer.interface.roughness, pointer + "/interface"))
+            return refusal;
+    } else if (!scope.one_surface && is_blend(layer.interface.roughness)) {
         return Refusal{pointer + "/interface/blend", std::string{kNoBlend}};
+    }
     if (scope.scattering == Extra::refused && scatters(layer.medium))
         return Refusal{pointer + "/medium/sigma_s", "cannot shade a medium that scatters"};
     return std::nullopt;
@@ -84,13 +95,6 @@ std::optional<Refusal> refused_layers(const std::vector<Layer>& layers, const Sc
         if (auto refusal = refused_layer(layers[n], fmt::format("/layers/{}", n), scope))
             return refusal;
     return std::nullopt;
-}
-
-std::optional<Refusal> refused_strata(const Roughness& roughness, const std::string& pointer) {
-    const auto* blend = std::get_if<Blend>(&roughness);
-    if (blend == nullptr || blend->strata.size() <= kMaxStrata) return std::nullopt;
-    return Refusal{fmt::format("{}/blend/strata/{}", pointer, kMaxStrata),
-                   fmt::format("shades at most {} strata", kMaxStrata)};
 }
 
 // Of a surface that stands alone.

@@ -59,14 +59,11 @@ StratumShares first_met_from_below(const FacetStrata& surface, double cosine) {
     return shares;
 }
 
-DirectionPolynomial blended(const FacetStrata& surface,
-                            const std::vector<DirectionPolynomial>& of_strata) {
-    if (of_strata.size() == 1) return of_strata.front();
-    const double critical = of_strata.front().critical;
+DirectionPolynomial blended(const FacetStrata& surface, double critical, const OfStratum& value) {
     const auto sum_at = [&](double cosine) {
         const StratumShares first = first_met_at(surface, cosine);
         double sum = 0.0;
-        for (std::size_t k = 0; k < first.size(); ++k) sum += first[k] * of_strata[k].at(cosine);
+        for (std::size_t k = 0; k < first.size(); ++k) sum += first[k] * value(k, cosine);
         return sum;
     };
     Values below{}, above{};
@@ -77,6 +74,13 @@ DirectionPolynomial blended(const FacetStrata& surface,
         above[node] = sum_at(critical + (1.0 - critical) * t_above * t_above);
     }
     return {critical, coefficients_through(below), coefficients_through(above)};
+}
+
+DirectionPolynomial blended(const FacetStrata& surface,
+                            const std::vector<DirectionPolynomial>& of_strata) {
+    if (of_strata.size() == 1) return of_strata.front();
+    return blended(surface, of_strata.front().critical,
+                   [&](std::size_t k, double cosine) { return of_strata[k].at(cosine); });
 }
 
 StratumShares first_met_by_diffuse_light(const FacetStrata& surface) {

@@ -7,6 +7,7 @@
 // 0.0066; at most 0.088, at grazing angles. In no paper.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "lacquer/material.h"
@@ -29,8 +30,14 @@ StratumShares first_met_at(const FacetStrata& surface, double cosine);
 // The same of light from below, which meets the lowest stratum first.
 StratumShares first_met_from_below(const FacetStrata& surface, double cosine);
 
-// One function of direction in place of those of the strata, all of one critical angle: the
-// polynomial through their sum at Chebyshev's nodes to each side of it. Of one stratum its own.
+// A function of the stratum and of the cosine in [0, 1].
+using OfStratum = std::function<double(std::size_t k, double cosine)>;
+
+// One function of direction in place of those of the strata, with the critical cosine of all of
+// them (tables/polynomial.h): the polynomial through their sum at Chebyshev's nodes to each side.
+DirectionPolynomial blended(const FacetStrata& surface, double critical, const OfStratum& value);
+
+// Of one stratum its own.
 DirectionPolynomial blended(const FacetStrata& surface,
                             const std::vector<DirectionPolynomial>& of_strata);
 

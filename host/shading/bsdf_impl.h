@@ -142,13 +142,9 @@ struct WithLayers {
 
 std::vector<shader::vec4> to_rows(const StackParameters& parameters) {
     std::vector<shader::vec4> rows;
-    for (const StackParameters::Layer& layer : parameters.layers) {
-        const shader::LqFacets facets = to_facets(layer.microsurface);
-        rows.emplace_back(facets.alpha_x, facets.alpha_y, static_cast<Real>(layer.index),
-                          static_cast<Real>(facets.ndf));
-        rows.emplace_back(to_vector(layer.absorption), static_cast<Real>(layer.g));
-        rows.emplace_back(to_vector(layer.scattering), Real{0});
-    }
+    for (const auto& [x, y, z, w] : layer_rows(parameters))
+        rows.emplace_back(static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z),
+                          static_cast<Real>(w));
     return rows;
 }
 
@@ -186,7 +182,7 @@ struct LayeredFunctions {
     }
     static auto view(const auto& stack, const Vector& wo) { return View(stack.in_use(), wo); }
     static Vector view_eval_cos(const auto& stack, const auto& viewer, const Vector& wi) {
-        return ViewEvalCos(stack.surface, viewer, wi);
+        return ViewEvalCos(stack.in_use(), viewer, wi);
     }
 };
 

@@ -5,8 +5,9 @@
 #include "../stack/material.glsl"
 
 // Rows: (layer count, base kind, base alpha x, y), (base albedo or eta, base ndf), (base kappa, 0);
-// then for each of LQ_MAX_LAYERS (alpha x, y, index, ndf), (absorption, g) and (scattering, 0).
-#define LQ_MODEL_ROWS (3u + 3u * uint(LQ_MAX_LAYERS))
+// then for each of LQ_MAX_LAYERS (alpha x, y, index, ndf), (absorption, g) and (scattering, 0); then
+// the strata of interfaces that are blends, up to LQ_MAX_STRATA for each layer.
+#define LQ_MODEL_ROWS (3u + 7u * uint(LQ_MAX_LAYERS))
 
 // The stack whose rows begin at `first`.
 LqStackMaterial lq_stack_unpack(const uint first) {

@@ -51,8 +51,12 @@ float lq_stack_density(const LqStackSurface surface, const LqStackView viewer, c
     }
     const float once = lq_stack_once_choice(viewer);
     const float diffuse = lq_cosine_hemisphere_pdf(wi.z);
-    const float top =
-        once * lq_reflection_pdf(surface.top, wi, viewer.wo) + (1.0 - once) * diffuse;
+    float mirrored_top = lq_reflection_pdf(surface.top, wi, viewer.wo);
+    for (int blended = surface.top_count > 1 ? 1 : 0; blended > 0; blended--) {
+        mirrored_top = 0.25 * lq_visible_density(lq_stack_top_side(surface).strata, viewer.wo,
+                                                 lq_halfway(wi, viewer.wo));
+    }
+    const float top = once * mirrored_top + (1.0 - once) * diffuse;
     const float lobes = choices.x * top +
                         choices.y * lq_stack_lobe_density(viewer.interfaces, wi);
     if (is_open) {
@@ -100,6 +104,13 @@ LqStackChoice lq_stack_direction(const LqStackSurface surface, const LqStackView
     vec3 wi = lq_sample_cosine_hemisphere(square);
     if (!is_diffuse) {
         wi = lq_reflection_sample(facets, about, square);
+    }
+    const bool is_blended = surface.top_count > 1 && u.x < choices.x && !is_diffuse;
+    for (int blended = is_blended ? 1 : 0; blended > 0; blended--) {
+        const float rest = u.x / (choices.x * lq_stack_once_choice(viewer));
+        const vec3 wm = lq_sample_visible_normal(lq_stack_top_side(surface).strata, viewer.wo,
+                                                 vec3(min(rest, LQ_MOST_UNIFORM), u.y, u.z)).wm;
+        wi = 2.0 * dot(viewer.wo, wm) * wm - viewer.wo;
     }
     return LqStackChoice(vec3(wi.x, wi.y, wi.z * side), lq_is_above(wi));
 }

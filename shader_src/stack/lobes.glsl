@@ -7,6 +7,7 @@
 #include "../fresnel/dielectric.glsl"
 #include "../microfacet/reflection.glsl"
 #include "diffuse_base.glsl"
+#include "top.glsl"
 
 // A GGX lobe of what mirrors would send to `about`: its light, what of single reflections is that
 // light's share, and its roughness. Belcour 2018, Eq. 39.
@@ -80,8 +81,11 @@ float lq_stack_top_multiple(const LqStackSurface surface, const float cos_theta)
 
 // f of the top interface.
 float lq_stack_top(const LqStackSurface surface, const LqStackView viewer, const vec3 wi) {
-    const float once = lq_fresnel_dielectric(lq_cos_theta_halfway(wi, viewer.wo), surface.top_eta) *
-                       lq_reflection_lobe(surface.top, wi, viewer.wo);
+    float once = lq_fresnel_dielectric(lq_cos_theta_halfway(wi, viewer.wo), surface.top_eta) *
+                 lq_reflection_lobe(surface.top, wi, viewer.wo);
+    for (int blended = surface.top_count > 1 ? 1 : 0; blended > 0; blended--) {
+        once = lq_reflected_once(lq_stack_top_side(surface), wi, viewer.wo).x;
+    }
     return once + lq_stack_top_multiple(surface, min(wi.z, 1.0)) * viewer.multiple *
                       surface.multiple_scale;
 }

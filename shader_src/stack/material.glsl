@@ -34,11 +34,18 @@ const int LQ_STACK_BASE_CONDUCTOR = 2;
 // Rows of a layer.
 const int LQ_LAYER_ROWS = 3;
 
+// In place of the ndf, of an interface of several strata.
+const int LQ_STACK_BLENDED = -1;
+
 // Layers in [1, LQ_MAX_LAYERS], from the top, have LQ_LAYER_ROWS rows each from `first_row` on:
 // (alpha_x, alpha_y, index over the exterior's, ndf) of the interface, the index that of the medium
 // below it in [1/3, 3] and neighbouring ones in that proportion to each other, ndf one of LQ_NDF_*;
 // (optical depths sigma_a d of that medium along the normal, at least 0, per channel; mean cosine g
 // of its phase function in [-1, 1]); (optical depths sigma_s d; 0).
+// Of an interface that is a blend the first row is (stratum count in [1, LQ_MAX_STRATA], one of
+// LQ_BLEND_*, index, LQ_STACK_BLENDED), and the last component of the third says how many rows after
+// `first_row` its strata begin, from the top down, each (alpha_x, alpha_y, weight, ndf): weights of the
+// area add up to 1, and the lowest takes the rest.
 // `base` is one of LQ_STACK_BASE_*. Lambertian: `albedo` in [0, 1]. Conductor: `facets`, and its
 // index eta + i kappa over the exterior's.
 struct LqStackMaterial {

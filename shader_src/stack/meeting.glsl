@@ -5,6 +5,7 @@
 #ifndef LQ_STACK_MEETING_GLSL
 #define LQ_STACK_MEETING_GLSL
 
+#include "first_met.glsl"
 #include "medium.glsl"
 #include "scattering.glsl"
 #include "surface.glsl"
@@ -41,14 +42,17 @@ LqStackBeam lq_bent_beam(const LqStackBeam part, const float cosine, const float
                        part.interfaces, part.base);
 }
 
-// A beam crosses a medium of optical depth `depth` and meets an interface, behind which the index is
-// `eta` over this medium's. Where light leaves for good, its direction and width are seen and not
-// only what they make of energies: facets are looked at from the mean of the part that passes.
-LqMeeting lq_meet_interface(const LqStackBeam beam, const LqStackNodes nodes, const vec3 depth,
-                            const LqStackInterface at, const float eta, const bool leaves) {
-    const LqCrossedLight crossed = lq_crossed_light(depth, nodes);
-    const LqNodeValues through = lq_stack_transmittance(at.alpha, eta, nodes);
-    const LqNodeValues back = LqNodeValues(vec4(1.0) - through.low, vec4(1.0) - through.high);
+// What has crossed a medium, the share `first` of it in each direction, meets facets of an interface
+// behind which the index is `eta` over this medium's. Where light leaves for good, its direction and
+// width are seen and not only what they make of energies: facets are looked at from the mean of the
+// part that passes.
+LqMeeting lq_meet_stratum(const LqStackBeam beam, const LqStackNodes nodes,
+                          const LqCrossedLight crossed, const LqNodeValues first,
+                          const LqStackStratum at, const float eta, const bool leaves) {
+    const LqNodeValues transmittance = lq_stack_transmittance(at.alpha, eta, nodes);
+    const LqNodeValues through = lq_node_product(first, transmittance);
+    const LqNodeValues back = LqNodeValues(first.low * (vec4(1.0) - transmittance.low),
+                                           first.high * (vec4(1.0) - transmittance.high));
     const LqPart reflected = lq_crossed_part(beam, nodes, crossed, back);
     LqPart refracted = lq_crossed_part(beam, nodes, crossed, through);
     float cosine = beam.cosine;
@@ -65,6 +69,34 @@ LqMeeting lq_meet_interface(const LqStackBeam beam, const LqStackNodes nodes, co
                      lq_mirrored_beam(lq_part_of(beam, reflected), at.lobe_alpha, kept),
                      lq_bent_beam(lq_part_of(beam, refracted), cosine, at.lobe_alpha, eta,
                                   mean));
+}
+
+// A beam crosses a medium of optical depth `depth` and meets an interface, one stratum after the
+// other.
+LqMeeting lq_meet_interface(const LqStackBeam beam, const LqStackNodes nodes, const vec3 depth,
+                            const LqStackInterface at, const bool is_down, const bool leaves) {
+    const LqCrossedLight crossed = lq_crossed_light(depth, nodes);
+    const float eta = is_down ? at.eta : 1.0 / at.eta;
+    LqStrataCrossing crossing = lq_before_strata(at, nodes);
+    LqMeeting all_met = LqMeeting(vec4(0.0), vec4(0.0), lq_no_beam(), lq_no_beam());
+    for (int met = 0; met < at.count; met++) {
+        const LqStackStratum stratum = lq_stratum_on_the_way(at, met, is_down);
+        const float weight = lq_weight_on_the_way(at, met, is_down);
+        const LqFirstMet first =
+            lq_first_met(at, crossing, stratum.alpha, weight, met + 1 == at.count, nodes);
+        crossing = first.behind;
+        const LqMeeting here =
+            lq_meet_stratum(beam, nodes, crossed, first.here, stratum, eta, leaves);
+        if (met == 0) {
+            all_met = here;
+        } else {
+            all_met = LqMeeting(all_met.reflected + here.reflected,
+                                all_met.refracted + here.refracted,
+                                lq_merged(all_met.kept, here.kept),
+                                lq_merged(all_met.passed, here.passed));
+        }
+    }
+    return all_met;
 }
 
 // A beam meets a medium that scatters.
@@ -151,8 +183,7 @@ LqMeeting lq_meet(const LqStackSurface surface, const int place, const bool is_d
     for (int met = interfaces; met > 0; met--) {
         const LqStackInterface at = lq_stack_interface(surface.first_row, place / 2);
         meeting = lq_meet_interface(beam, nodes, lq_crossed_depth(surface, place, is_down), at,
-                                    is_down ? at.eta : 1.0 / at.eta,
-                                    is_down && place == surface.exit_place);
+                                    is_down, is_down && place == surface.exit_place);
     }
     return meeting;
 }

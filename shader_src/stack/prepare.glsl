@@ -2,17 +2,9 @@
 #ifndef LQ_STACK_PREPARE_GLSL
 #define LQ_STACK_PREPARE_GLSL
 
-#include "../interface/energies.glsl"
 #include "layers.glsl"
 #include "surface.glsl"
-
-// The part of the top interface's albedo that has met more than one facet.
-LqDirectionPolynomial lq_stack_multiple(const float alpha, const float eta) {
-    const LqCell cell =
-        lq_table_cell(lq_alpha_segment(alpha, LQ_TABLE_ALPHAS), lq_eta_segment(eta, LQ_TABLE_ETAS),
-                      LQ_TABLE_ETAS, 1);
-    return lq_interface_multiple_function(cell, eta);
-}
+#include "top.glsl"
 
 // The stack for shading: call it once per shading point. What is out of range is clamped.
 LqStackSurface lq_stack_prepare(const LqStackMaterial material) {
@@ -27,15 +19,24 @@ LqStackSurface lq_stack_prepare(const LqStackMaterial material) {
     }
     surface.index = lq_stack_index(surface.first_row, surface.layer_count - 1);
 
-    const vec4 row = lq_stack_row(surface.first_row);
     const LqStackInterface top = lq_stack_interface(surface.first_row, 0);
+    const vec4 row = lq_stack_row(top.row);
     surface.top = lq_facets_prepare(int(row.w), row.x, row.y);
-    surface.top_alpha = top.alpha;
+    surface.top_count = top.count;
+    surface.top_alpha = lq_greatest_alpha(top);
     surface.top_eta = top.eta;
     surface.top_critical = lq_critical_cosine(top.eta);
-    surface.top_above = lq_stack_transmittance_octet(top.alpha, top.eta, true);
-    surface.top_below = lq_stack_transmittance_octet(top.alpha, top.eta, false);
-    surface.multiple = lq_stack_multiple(top.alpha, top.eta);
+    surface.top_above = lq_stack_transmittance_octet(surface.top_alpha, top.eta, true);
+    surface.top_below = lq_stack_transmittance_octet(surface.top_alpha, top.eta, false);
+    surface.multiple = lq_stack_multiple(surface.top_alpha, top.eta);
+    for (int blended = top.count > 1 ? 2 : 0; blended > 0; blended--) {
+        const LqStackTopSide fitted = lq_stack_blended_side(top, blended == 1);
+        surface.top_below = surface.top_above;
+        surface.top_above = fitted.entering;
+        surface.multiple = LqDirectionPolynomial(surface.multiple.above_low,
+                                                 surface.multiple.above_high, fitted.multiple.low,
+                                                 fitted.multiple.high);
+    }
     const float average =
         2.0 * lq_direction_integral(surface.multiple,
                                     lq_energy_weights(surface.top_critical));

@@ -12,7 +12,7 @@
 // of the medium above the base. `base_alpha`, `base_lobe_alpha`, `base_eta` and `base_kappa` are a
 // conductor's, relative to that medium, and `base_conductor` what it reflects; `base_albedo` is a
 // Lambertian base's.
-// `top` and `top_eta` are the top interface's lobe, `top_critical`, `top_above` and `top_below` what
+// `top` and `top_eta` are the top interface's lobe where it is uniform, `top_count` being 1; `top_critical`, `top_above` and `top_below` what
 // it lets in (lq_stack_entering); `multiple` the part of its albedo that has met more than one facet,
 // `multiple_scale` what makes its product of two directions an f.
 struct LqStackSurface {
@@ -29,6 +29,7 @@ struct LqStackSurface {
     vec3 base_kappa;
     LqConductorAlbedo base_conductor;
     LqFacets top;
+    int top_count;
     float top_alpha;
     float top_eta;
     float top_critical;

@@ -25,6 +25,11 @@ inline RandomStacks random_stacks() {
     return RandomStacks{{20180812, -0.5, true}};
 }
 
+// Every second interface a blend.
+inline RandomStacks random_blends() {
+    return RandomStacks{{20230806, -0.5, true, true}};
+}
+
 inline shader::vec3 to_vec(const Rgb& rgb) {
     return shader::vec3{rgb[0], rgb[1], rgb[2]};
 }
@@ -35,21 +40,35 @@ inline shader::LqFacets to_facets(const Microsurface& facets) {
 }
 
 inline std::vector<shader::vec4> to_rows(const Material& material) {
-    std::vector<shader::vec4> rows;
+    std::vector<shader::vec4> rows, strata;
     for (const Layer& layer : material.layers) {
-        const auto& facets = std::get<Microsurface>(layer.interface.roughness);
-        rows.emplace_back(facets.alpha[0], facets.alpha[1], layer.interface.ior,
-                          to_facets(facets).ndf);
+        double first_stratum = 0.0;
+        if (const auto* blend = std::get_if<Blend>(&layer.interface.roughness)) {
+            first_stratum = static_cast<double>(3 * material.layers.size() + strata.size());
+            rows.emplace_back(blend->strata.size(),
+                              blend->op == Blend::Operator::symmetric ? shader::LQ_BLEND_SYMMETRIC
+                                                                      : shader::LQ_BLEND_ASYMMETRIC,
+                              layer.interface.ior, shader::LQ_STACK_BLENDED);
+            for (const Stratum& stratum : blend->strata) {
+                const shader::LqFacets facets = to_facets(stratum.microsurface);
+                strata.emplace_back(facets.alpha_x, facets.alpha_y, stratum.weight, facets.ndf);
+            }
+        } else {
+            const auto& facets = std::get<Microsurface>(layer.interface.roughness);
+            rows.emplace_back(facets.alpha[0], facets.alpha[1], layer.interface.ior,
+                              to_facets(facets).ndf);
+        }
         if (const auto* absorbing = std::get_if<AbsorbingMedium>(&layer.medium)) {
             const Rgb& tau = absorbing->tau;
             rows.emplace_back(-std::log(tau[0]), -std::log(tau[1]), -std::log(tau[2]), 0.0);
-            rows.emplace_back(0.0);
+            rows.emplace_back(0.0, 0.0, 0.0, first_stratum);
         } else {
             const auto& slab = std::get<ScatteringMedium>(layer.medium);
             rows.emplace_back(to_vec(slab.sigma_a), slab.g);
-            rows.emplace_back(to_vec(slab.sigma_s), 0.0);
+            rows.emplace_back(to_vec(slab.sigma_s), first_stratum);
         }
     }
+    rows.insert(rows.end(), strata.begin(), strata.end());
     return rows;
 }
 
@@ -126,7 +145,7 @@ struct Symmetric {
 // Prepares random stacks, one at a time.
 template <typename Model>
 class RandomStackTest : public testing::Test {
- protected:
+ public:
     // The material's surface, whose rows stay until the next.
     auto prepared(const Material& material) {
         rows_ = to_rows(material);
@@ -134,10 +153,17 @@ class RandomStackTest : public testing::Test {
         return Model::prepare(to_stack(material));
     }
 
-    RandomStacks random_ = random_stacks();
+    explicit RandomStackTest(const RandomStacks& random = random_stacks()) : random_{random} {}
+
+    RandomStacks random_;
 
  private:
     std::vector<shader::vec4> rows_;
+};
+
+template <typename Model>
+struct RandomBlendTest : RandomStackTest<Model> {
+    RandomBlendTest() : RandomStackTest<Model>{random_blends()} {}
 };
 
 using StackModels = testing::Types<Forward, Symmetric>;

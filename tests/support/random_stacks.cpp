@@ -18,7 +18,7 @@ Material RandomStacks::next() {
     Material material;
     const int count = 1 + static_cast<int>(uniform(0.0, 4.0));
     for (int n = 0; n < count; ++n) {
-        Layer layer{{uniform(0.8, 2.2), facets()}, AbsorbingMedium{rgb(0.3, 1.0)}};
+        Layer layer{{uniform(0.8, 2.2), roughness()}, AbsorbingMedium{rgb(0.3, 1.0)}};
         if (uniform(0.0, 3.0) < 1.0)
             layer.medium =
                 ScatteringMedium{rgb(0.0, 0.5), rgb(0.0, 3.0), uniform(range_.least_g, 0.95), 1.0};
@@ -38,6 +38,19 @@ glm::dvec3 RandomStacks::direction(double least_cosine) {
     const double cosine = uniform(least_cosine, 1.0), turn = uniform(0.0, 6.28);
     const double sine = std::sqrt(1.0 - cosine * cosine);
     return {sine * std::cos(turn), sine * std::sin(turn), cosine};
+}
+
+Roughness RandomStacks::roughness() {
+    if (!range_.with_blends || uniform(0.0, 2.0) < 1.0) return facets();
+    Blend blend{uniform(0.0, 3.0) < 1.0 ? Blend::Operator::symmetric : Blend::Operator::asymmetric,
+                {}};
+    const int count = 2 + static_cast<int>(uniform(0.0, 3.0));
+    for (int k = 0; k < count; ++k)
+        blend.strata.push_back(
+            {k + 1 < count ? uniform(0.05, 0.9) / (count - 1) : 1.0, facets(), {}, {}, {}});
+    for (int k = 0; k + 1 < count; ++k)
+        blend.strata.back().weight -= blend.strata[static_cast<std::size_t>(k)].weight;
+    return blend;
 }
 
 Microsurface RandomStacks::facets() {

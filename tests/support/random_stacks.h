@@ -14,8 +14,9 @@ class RandomStacks {
  public:
     struct Range {
         std::uint64_t seed;
-        double least_g;      // of media that scatter, in [-1, 0.95]
-        bool with_beckmann;  // every fourth microsurface
+        double least_g;            // of media that scatter, in [-1, 0.95]
+        bool with_beckmann;        // every fourth microsurface
+        bool with_blends = false;  // every second interface: of two to four strata
     };
 
     explicit RandomStacks(const Range& range);
@@ -31,6 +32,7 @@ class RandomStacks {
     glm::dvec3 direction(double least_cosine);
 
  private:
+    Roughness roughness();
     Microsurface facets();
     Rgb rgb(double low, double high);
 

@@ -36,7 +36,7 @@ std::array<double, Balance::kNodes.size()> node_weights(double cosine) {
 
 // The light that the lobe should have at a cosine.
 glm::dvec3 wanted(const StackInterface& top, const FittedLobe& lobe, double cosine) {
-    return top.transmittance(cosine, true) * glm::dvec3{lobe.at(cosine).energy};
+    return top.entering(cosine) * glm::dvec3{lobe.at(cosine).energy};
 }
 
 // Of light at wo, the part that the lobe without b sends to wi, over the density of wi as a mirror
@@ -69,8 +69,7 @@ Values albedo_weights(const StackInterface& top, const FittedLobe& lobe, double 
 }  // namespace
 
 double entering_both_ways(const StackInterface& top, const glm::dvec3& wi, const glm::dvec3& wo) {
-    return std::sqrt(top.transmittance(std::min(wi.z, 1.0), true) *
-                     top.transmittance(std::min(wo.z, 1.0), true));
+    return std::sqrt(top.entering(std::min(wi.z, 1.0)) * top.entering(std::min(wo.z, 1.0)));
 }
 
 glm::dvec3 Balance::at(double cosine) const {

@@ -18,7 +18,7 @@ constexpr int kDirections = 12;
 }  // namespace
 
 Energy ArrivingLight::at(double cosine) const {
-    return top.transmittance(cosine, true) * glm::clamp(share.at(cosine), Energy{0.0}, Energy{1.0});
+    return top.entering(cosine) * glm::clamp(share.at(cosine), Energy{0.0}, Energy{1.0});
 }
 
 Energy ArrivingLight::average() const {

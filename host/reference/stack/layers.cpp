@@ -66,6 +66,12 @@ StackInterface prepare_interface(const Roughness& roughness, double above, doubl
                                     tables.clear_profile(alpha, 1.0 / eta)});
     }
     interface.facets = isotropic_strata(blend, alphas);
+    if (blend.strata.size() > 1)
+        interface.entering_blend =
+            blended(interface.facets, std::sqrt(std::max(1.0 - eta * eta, 0.0)),
+                    [&](std::size_t k, double cosine) {
+                        return interface.transmittance(interface.strata[k], cosine, true);
+                    });
     return interface;
 }
 
@@ -112,12 +118,10 @@ double StackInterface::transmittance(const InterfaceStratum& stratum, double cos
     return std::clamp((downwards ? stratum.from_above : stratum.from_below).at(cosine), 0.0, 1.0);
 }
 
-double StackInterface::transmittance(double cosine, bool downwards) const {
-    const StratumShares first = first_met(cosine, downwards);
-    double sum = 0.0;
-    for (std::size_t k = 0; k < strata.size(); ++k)
-        sum += first[k] * transmittance(strata[k], cosine, downwards);
-    return sum;
+double StackInterface::entering(double cosine) const {
+    if (strata.size() == 1 || greatest_alpha() < kMinAlpha)
+        return transmittance(strata.front(), cosine, true);
+    return std::clamp(entering_blend.at(cosine), 0.0, 1.0);
 }
 
 double StackInterface::greatest_alpha() const {

@@ -27,7 +27,8 @@ struct InterfaceStratum {
 struct StackInterface {
     FacetStrata facets;  // for first_met alone
     std::vector<InterfaceStratum> strata;
-    double ior_above, ior_below;  // absolute
+    double ior_above, ior_below;           // absolute
+    DirectionPolynomial entering_blend{};  // of several strata
 
     // The index of the medium that light enters over that of its own.
     double eta(bool downwards) const;
@@ -35,9 +36,11 @@ struct StackInterface {
     // The parts of light at `cosine` in [0, 1] that meet the strata first.
     StratumShares first_met(double cosine, bool downwards) const;
 
-    // The share of that light that crosses it, all orders of scattering: of a stratum, and of all.
+    // The share of that light that crosses it, all orders of scattering, were all of one stratum.
     double transmittance(const InterfaceStratum& stratum, double cosine, bool downwards) const;
-    double transmittance(double cosine, bool downwards) const;
+
+    // Of light from above that crosses it: of several strata by a polynomial of direction.
+    double entering(double cosine) const;
 
     // Energies' roughness of the roughest stratum.
     double greatest_alpha() const;

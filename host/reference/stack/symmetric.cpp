@@ -12,7 +12,7 @@ namespace {
 constexpr double kTinyLight = 1e-30;  // keeps quotients of nothing finite
 
 double entering(const StackInterface& top, double cosine) {
-    return top.transmittance(cosine, true);
+    return top.entering(cosine);
 }
 
 template <typename Light, typename Take>

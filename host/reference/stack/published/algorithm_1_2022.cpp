@@ -47,9 +47,9 @@ Coefficients coefficients(const StackLayers& layers, std::size_t n, double cosin
                           double alpha) {
     const StackInterface& at = layers.interfaces[n];
     const Energy crossing = layers.media[n].transmittance(below);
-    const double down = at.transmittance(cosine, true);
-    const double up =
-        at.transmittance(below, false) * left_of_lobe(*layers.tables, below, alpha, at.eta(false));
+    const double down = at.entering(cosine);
+    const double up = at.transmittance(at.strata.front(), below, false) *
+                      left_of_lobe(*layers.tables, below, alpha, at.eta(false));
     return {Energy{1.0 - down}, down * crossing, (1.0 - up) * crossing * crossing, up * crossing};
 }
 
@@ -111,7 +111,7 @@ class Rising {
           energy_{energy},
           variance_{most_variance(layers, layers.interfaces.back())} {
         const std::size_t last = layers.count() - 1;
-        reflected_ = Energy{1.0 - layers.interfaces[last].transmittance(1.0, true)};
+        reflected_ = Energy{1.0 - layers.interfaces[last].entering(1.0)};
         if (below == Below::all) reflected_ += coated;
     }
 
@@ -158,8 +158,7 @@ DiffuseLobe diffuse_lobe(const StackLayers& layers, const glm::dvec3& albedo, do
     Energy energy = light.transmitted * coated_base(layers, albedo, light.cosine);
     if (below == Below::all) {
         const StackInterface& last = layers.interfaces.back();
-        energy *=
-            series(light.reflected_back * Energy{1.0 - last.transmittance(light.cosine, true)});
+        energy *= series(light.reflected_back * Energy{1.0 - last.entering(light.cosine)});
     }
     Rising lobe{layers, energy, coated_base(layers, albedo, 1.0), below};
     for (std::size_t n = layers.count() - 1; n-- > 0;) lobe.cross(n);
