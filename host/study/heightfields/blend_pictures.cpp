@@ -20,7 +20,8 @@ const char* const kBlendMeasure =
 
 namespace {
 
-constexpr std::array kModels{Model::microsurface_single, Model::microsurface_compensated};
+constexpr std::array kModels{Model::microsurface_single, Model::microsurface_compensated,
+                             Model::stack};
 
 constexpr std::size_t kHalves = 2;
 

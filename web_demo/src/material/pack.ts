@@ -12,7 +12,7 @@ const BASE = { none: 0, lambertian: 1, "diffuse-facets": 1, conductor: 2 };
 const NO_FACETS: Microsurface = { ndf: "ggx", alpha: [0, 0] };
 const BLACK: Rgb = [0, 0, 0];
 const CLEAR: Rgb = [1, 1, 1];
-const STACK_ROWS = 3 + 3 * MAX_LAYERS;
+const STACK_ROWS = 3 + 7 * MAX_LAYERS; // with room for strata, which the page does not show
 const LARGEST_FLOAT = 3.4028234663852886e38; // for infinities, which WGSL does not have
 
 function facetsRow({ alpha, ndf }: Microsurface, third: number): Row {

@@ -2,7 +2,7 @@
 // Lacquer 0.1.0, plain: a rough dielectric coat over a bare base, no light passing between them.
 // GLSL 4.50, kernel 'eval'.
 // SPDX-License-Identifier: Apache-2.0
-// Generated; source sha256 d7550e9db990644580467655caabbc4e5b654367629a9cd9cb56a5c0a0510774.
+// Generated; source sha256 d85ab33544d2164613bbf79196ca2f494ede51984bff525d6661fa7bb6164de9.
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
