@@ -27,14 +27,11 @@ inline constexpr Tolerance kFloatTolerance{1e-4, 3e-7};
 
 // Light of a stack meets an interface some ten times before it leaves (five layers down and up),
 // each time through some 35 roundings more: sqrt(50 + 10 * 35) u / sqrt(3) = 6.9e-7.
-//
-// Light that leaves into a thinner medium beyond its critical angle does so at grazing, as a lobe of
-// the least roughness there is, a = 1e-3: 4 u 2 / a = 4.8e-4.
-inline constexpr Tolerance kStackTolerance{4.8e-4, 7e-7};
+inline constexpr Tolerance kStackTolerance{1e-4, 7e-7};
 
 // Lobes that light and viewer share have that light by way of cubics, and factors of either
 // direction: some 90 roundings more, sqrt(50 + 10 * 35 + 90) u / sqrt(3) = 7.6e-7.
-inline constexpr Tolerance kSymmetricStackTolerance{4.8e-4, 7.6e-7};
+inline constexpr Tolerance kSymmetricStackTolerance{1e-4, 7.6e-7};
 
 // What meets several facets of a microsurface is a polynomial of seven terms for each direction, in
 // two planes: some 30 roundings more for either, sqrt(50 + 2 * 30) u / sqrt(3) = 3.6e-7. On smooth

@@ -63,6 +63,21 @@ TEST_P(BackendAgreement, WithTheReference) {
     expect_agreement(result.rows, expected_rows(owned.job(), result.rows));
 }
 
+// Through a stack into a thinner medium light leaves, beyond the critical angle, as a lobe at
+// grazing that is as narrow as kMinAlpha: there pdf and f answer to the last digits of a direction
+// (README, limits), by up to 4 u / (0.014 kMinAlpha) = 1.7e-2.
+bool leaves_at_grazing(const Material& material, Model model) {
+    const bool is_stack = model == Model::stack || model == Model::stack_symmetric;
+    return is_stack && std::holds_alternative<NoBase>(material.base) &&
+           material.layers.back().interface.ior < material.exterior_ior;
+}
+
+std::vector<Material> materials_for(Model model) {
+    std::vector<Material> materials = shadeable(test_materials(), model);
+    std::erase_if(materials, [model](const Material& m) { return leaves_at_grazing(m, model); });
+    return materials;
+}
+
 // The other models on what tells them from `plain`: fewer queries, and a process per model, not per
 // kernel.
 class ModelAgreement : public ::testing::TestWithParam<std::tuple<std::string, Model>> {};
@@ -74,8 +89,8 @@ TEST_P(ModelAgreement, WithTheReference) {
     if (!backend) GTEST_SKIP() << skipped;
     for (const Kernel kernel :
          {Kernel::eval, Kernel::sphere, Kernel::sample, Kernel::albedo, Kernel::lights}) {
-        OwnedJob owned = make_job(kernel, shadeable(test_materials(), model),
-                                  kernel == Kernel::albedo ? 32 : 1024);
+        OwnedJob owned =
+            make_job(kernel, materials_for(model), kernel == Kernel::albedo ? 32 : 1024);
         owned.model = model;
         if (kernel == Kernel::lights) owned.parameters.point_count = kLights;
         const JobResult result = backend->run(owned.job());
