@@ -91,8 +91,8 @@ TEST(StackChoices, KernelsTakeTheRowsOfTheLayersChosen) {
             codegen::compile(tree, file, tree.text(file), {codegen::Stage::compute, preamble});
         return print(codegen::emit_glsl(words, Target::glsl450));
     };
-    EXPECT_THAT(text_of({8, 3}), AllOf(HasSubstr("* 27u"), Not(HasSubstr("* 9u"))));
-    EXPECT_THAT(text_of({2, 3}), AllOf(HasSubstr("* 9u"), Not(HasSubstr("* 27u"))));
+    EXPECT_THAT(text_of({8, 3}), AllOf(HasSubstr("* 59u"), Not(HasSubstr("* 17u"))));
+    EXPECT_THAT(text_of({2, 3}), AllOf(HasSubstr("* 17u"), Not(HasSubstr("* 59u"))));
 }
 
 std::map<std::string, std::size_t> instruction_counts(const Package& package) {
