@@ -3,7 +3,7 @@
 #define LQ_VIEWER_VIEW_GLSL
 
 const uint LQ_VIEW_MAX_LIGHTS = 4u;
-const uint LQ_VIEW_MAX_ROWS = 47u;
+const uint LQ_VIEW_MAX_ROWS = 59u;
 
 // `surface` begins with the rows of a packed surface. Light i < `light_count` shines from the unit
 // direction light_directions[i].xyz with the irradiance light_irradiances[i].xyz across its beam.
