@@ -12,7 +12,7 @@
 
 namespace lacquer::viewer {
 
-inline constexpr std::size_t kSurfaceRows = 47;  // as many as any model needs
+inline constexpr std::size_t kSurfaceRows = 59;  // as many as any model needs
 inline constexpr std::size_t kMaxLights = 4;
 
 // LqSphereView of shader_src/viewer/view.glsl, byte for byte (std140).
