@@ -25,7 +25,7 @@ struct SphereView {
     float pixel = 0.0f;
     std::uint32_t light_count = 0;
 };
-static_assert(sizeof(SphereView) == 912);
+static_assert(sizeof(SphereView) == 1104);
 
 struct Scene {
     Model model = Model::plain;
